@@ -1,0 +1,44 @@
+//! Axis-aligned boxes of triangles.
+
+use bytemuck::{Pod, Zeroable};
+
+use glam::DVec3;
+
+/// A box, by its lowest and highest corner. Empty if inverted.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Aabb {
+    pub lo: [f32; 3],
+    pub hi: [f32; 3],
+}
+
+impl Aabb {
+    pub const EMPTY: Self = Self {
+        lo: [f32::INFINITY; 3],
+        hi: [f32::NEG_INFINITY; 3],
+    };
+
+    pub fn of(points: &[[f32; 3]]) -> Self {
+        let mut b = Self::EMPTY;
+        for p in points {
+            for k in 0..3 {
+                b.lo[k] = b.lo[k].min(p[k]);
+                b.hi[k] = b.hi[k].max(p[k]);
+            }
+        }
+        b
+    }
+
+    pub fn join(&mut self, other: &Self) {
+        for k in 0..3 {
+            self.lo[k] = self.lo[k].min(other.lo[k]);
+            self.hi[k] = self.hi[k].max(other.hi[k]);
+        }
+    }
+
+    /// The length of an object in the sense of section 1.3: its box's diagonal.
+    pub fn diagonal(&self) -> f64 {
+        let corner = |c: [f32; 3]| DVec3::from_array(c.map(f64::from));
+        (corner(self.hi) - corner(self.lo)).length()
+    }
+}

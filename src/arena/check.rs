@@ -1,0 +1,143 @@
+//! Deciding whether untrusted bytes are an arena.
+//!
+//! One pass over everything, no allocation, O(size). What it establishes is
+//! what `view` relies on, and that every walk ends: grids only point to later
+//! grids of lower level, whose numbers of entries (`walks`) add up.
+
+use super::layout::{
+    ALIGN, BYTE_ORDER, GRID_BIT, Grid, Header, MAGIC, Triangle, VERSION, sections,
+};
+use crate::Error;
+use crate::options::{MAX_COUNT, MAX_LEVELS};
+
+/// Checks what the header alone can tell: magic, byte order, version, size.
+///
+/// # Errors
+/// The reason why these bytes cannot be an arena.
+pub fn check_header(bytes: &[u8]) -> Result<(), Error> {
+    header(bytes).map(|_| ())
+}
+
+fn header(bytes: &[u8]) -> Result<&Header, Error> {
+    if !(bytes.as_ptr() as usize).is_multiple_of(ALIGN) {
+        return Err(Error::Alignment);
+    }
+    if bytes.len() < MAGIC.len() {
+        return Err(Error::Truncated);
+    }
+    if bytes[..MAGIC.len()] != MAGIC {
+        return Err(Error::Magic);
+    }
+    let head = bytes.get(..size_of::<Header>()).ok_or(Error::Truncated)?;
+    let header: &Header = bytemuck::try_from_bytes(head).map_err(|_| Error::Alignment)?;
+    if header.byte_order != BYTE_ORDER {
+        return Err(Error::Endianness);
+    }
+    if header.version != VERSION {
+        return Err(Error::Version);
+    }
+    if header.bytes > bytes.len() as u64 {
+        return Err(Error::Truncated);
+    }
+    Ok(header)
+}
+
+fn require(ok: bool) -> Result<(), Error> {
+    if ok { Ok(()) } else { Err(Error::Corrupt) }
+}
+
+/// Checks everything.
+pub fn check(bytes: &[u8]) -> Result<(), Error> {
+    let h = header(bytes)?;
+    let counts = (
+        h.grids.count,
+        h.voxels.count,
+        h.refs.count,
+        h.triangles.count,
+    );
+    let (expected, size) =
+        sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Corrupt)?;
+    require(expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes)?;
+    require(h.reserved == [0; 7] && h.levels as usize <= MAX_LEVELS)?;
+    require((1..=3).contains(&h.structure))?;
+    require(counts.0 < u64::from(GRID_BIT) && counts.3 < u64::from(GRID_BIT))?;
+    require(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
+    let grids: &[Grid] = section(bytes, h.grids.offset, counts.0)?;
+    let voxels: &[u32] = section(bytes, h.voxels.offset, counts.1)?;
+    let refs: &[u32] = section(bytes, h.refs.offset, counts.2)?;
+    let triangles: &[Triangle] = section(bytes, h.triangles.offset, counts.3)?;
+    require(grids.is_empty() == triangles.is_empty())?;
+    require(
+        triangles
+            .iter()
+            .all(|t| t.corners.as_flattened().iter().all(|x| x.is_finite())),
+    )?;
+    if grids.is_empty() {
+        return require(voxels.is_empty() && refs.is_empty());
+    }
+    let mut next = 0u64;
+    for (i, grid) in grids.iter().enumerate() {
+        require(u64::from(grid.first) == next && frame(grid))?;
+        require(grid.level < h.levels && grid.reserved == [0; 2])?;
+        next += grid.voxels();
+        require(next < counts.1)?;
+        lists(i, grid, grids, voxels, refs, counts.3)?;
+    }
+    require(next + 1 == counts.1 && voxels[0] == 0)?;
+    require(voxels[next as usize] as usize == refs.len())
+}
+
+fn section<T: bytemuck::Pod>(bytes: &[u8], offset: u64, count: u64) -> Result<&[T], Error> {
+    let start = usize::try_from(offset).map_err(|_| Error::Corrupt)?;
+    let len = (count as usize)
+        .checked_mul(size_of::<T>())
+        .ok_or(Error::Corrupt)?;
+    let end = start.checked_add(len).ok_or(Error::Corrupt)?;
+    let part = bytes.get(start..end).ok_or(Error::Corrupt)?;
+    bytemuck::try_cast_slice(part).map_err(|_| Error::Corrupt)
+}
+
+/// A box cut into counts in range, of a place and size that `f32` triangles can
+/// have: the walk's arithmetic then stays finite.
+fn frame(grid: &Grid) -> bool {
+    (0..3).all(|k| {
+        (1..=MAX_COUNT).contains(&grid.n[k])
+            && (-1e39..=1e39).contains(&grid.lo[k])
+            && (1e-60..=1e39).contains(&grid.cell[k])
+            && grid.inv_cell[k] == 1.0 / grid.cell[k]
+            && grid.extent[k] == f64::from(grid.n[k]) * grid.cell[k]
+    })
+}
+
+/// The lists of a grid's voxels: in order, without repetition, and down only.
+fn lists(
+    number: usize,
+    grid: &Grid,
+    grids: &[Grid],
+    voxels: &[u32],
+    refs: &[u32],
+    triangles: u64,
+) -> Result<(), Error> {
+    let (first, count) = (grid.first as usize, grid.voxels() as usize);
+    let mut most = 0u64;
+    for pair in voxels[first..=first + count].windows(2) {
+        let list = refs
+            .get(pair[0] as usize..pair[1] as usize)
+            .ok_or(Error::Corrupt)?;
+        require(list.is_sorted_by(|a, b| a < b))?;
+        let mut walks = 0u64;
+        for &r in list {
+            if r & GRID_BIT == 0 {
+                require(u64::from(r) < triangles)?;
+            } else {
+                let child = (r & !GRID_BIT) as usize;
+                require(child > number)?;
+                let child = grids.get(child).ok_or(Error::Corrupt)?;
+                require(child.level < grid.level)?;
+                walks += u64::from(child.walks);
+            }
+        }
+        most = most.max(walks);
+    }
+    require(u64::from(grid.walks) == most + 1)
+}

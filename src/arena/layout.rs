@@ -1,0 +1,138 @@
+//! The bytes of an arena, format version 1.
+//!
+//! One block, position-independent, little-endian, 64-byte aligned: the header,
+//! then the grids, the voxels, the references and the triangles, each section
+//! at a multiple of 64, in this order, without gaps other than the padding
+//! (zeros). The same bytes serve in memory, in a file and in a mapping.
+
+use bytemuck::{Pod, Zeroable};
+
+use crate::Error;
+use crate::options::MAX_LEVELS;
+
+/// Alignment of an arena and of each of its sections, in bytes.
+pub const ALIGN: usize = 64;
+/// The first eight bytes of an arena.
+pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
+/// The format's version; any other is refused.
+pub const VERSION: u32 = 1;
+/// Reads differently where the byte order is not the writer's.
+pub const BYTE_ORDER: u32 = 0x0102_0304;
+/// Marks a reference to a grid; the other bits are the grid's or triangle's number.
+pub const GRID_BIT: u32 = 1 << 31;
+
+/// Where a section lies and how many records it has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Section {
+    /// Bytes from the header's first byte.
+    pub offset: u64,
+    /// Number of records.
+    pub count: u64,
+}
+
+/// The first 256 bytes.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+pub struct Header {
+    pub magic: [u8; 8],
+    pub byte_order: u32,
+    pub version: u32,
+    /// Size of the arena, a multiple of [`ALIGN`].
+    pub bytes: u64,
+    /// 1 uniform grid, 2 recursive grid, 3 HUG.
+    pub structure: u32,
+    /// Number of levels, 1 to 16; 0 for an empty scene.
+    pub levels: u32,
+    pub grids: Section,
+    /// One first reference a voxel, and one more for the end of the last.
+    pub voxels: Section,
+    pub refs: Section,
+    pub triangles: Section,
+    /// Triangles of the soup left out for a coordinate that is not finite.
+    pub dropped_non_finite: u64,
+    /// Triangles of the soup left out for having no area.
+    pub dropped_degenerate: u64,
+    /// Box of the triangles; inverted infinities for an empty scene.
+    pub lower: [f32; 3],
+    pub upper: [f32; 3],
+    /// Distinct triangles that each level refers to.
+    pub objects: [u32; MAX_LEVELS],
+    pub reserved: [u64; 7],
+}
+
+/// A uniform grid over a box: voxel (x, y, z) is number
+/// `first + (z * n.y + y) * n.x + x` of the voxels' section.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Grid {
+    /// Lowest corner of the box.
+    pub lo: [f64; 3],
+    /// Sides of a voxel.
+    pub cell: [f64; 3],
+    /// `1 / cell`.
+    pub inv_cell: [f64; 3],
+    /// Sides of the box, `n * cell`.
+    pub extent: [f64; 3],
+    /// Voxels along each axis, 1 to 2048.
+    pub n: [u32; 3],
+    /// Level of the hierarchy; 0 is the deepest.
+    pub level: u32,
+    /// Number of the first voxel.
+    pub first: u32,
+    /// 1 plus the largest sum of `walks` over the grids of one voxel: how often
+    /// a ray can enter grids while it is in one voxel of this one, plus 1.
+    pub walks: u32,
+    pub reserved: [u32; 2],
+}
+
+/// A triangle with its ids and its geometry's mask.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Triangle {
+    pub corners: [[f32; 3]; 3],
+    pub geom: u32,
+    pub prim: u32,
+    pub mask: u32,
+}
+
+const _: () = assert!(size_of::<Header>() == 256);
+const _: () = assert!(size_of::<Grid>() == 128);
+const _: () = assert!(size_of::<Triangle>() == 48);
+
+impl Grid {
+    /// Number of voxels; no overflow for counts in range.
+    pub fn voxels(&self) -> u64 {
+        self.n.iter().map(|&n| u64::from(n)).product()
+    }
+}
+
+/// The sections of an arena with these many records, and its size.
+///
+/// # Errors
+/// [`Error::Overflow`] if the size does not fit the address space.
+pub fn sections(
+    grids: u64,
+    voxels: u64,
+    refs: u64,
+    triangles: u64,
+) -> Result<([Section; 4], u64), Error> {
+    let mut at = size_of::<Header>() as u64;
+    let mut place = |count: u64, size: usize| -> Result<Section, Error> {
+        let section = Section { offset: at, count };
+        let bytes = count.checked_mul(size as u64).ok_or(Error::Overflow)?;
+        at = at
+            .checked_add(bytes)
+            .and_then(|end| end.checked_next_multiple_of(ALIGN as u64))
+            .ok_or(Error::Overflow)?;
+        Ok(section)
+    };
+    let sections = [
+        place(grids, size_of::<Grid>())?,
+        place(voxels, size_of::<u32>())?,
+        place(refs, size_of::<u32>())?,
+        place(triangles, size_of::<Triangle>())?,
+    ];
+    isize::try_from(at).map_err(|_| Error::Overflow)?;
+    Ok((sections, at))
+}

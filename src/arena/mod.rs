@@ -1,0 +1,15 @@
+//! The arena: one flat block that holds a built scene.
+//!
+//! `layout` says what its bytes mean, `check` decides whether untrusted bytes
+//! are an arena, `view` reads one, `block` owns the memory of one.
+
+#[cfg(feature = "alloc")]
+pub(crate) mod block;
+mod check;
+pub(crate) mod layout;
+mod view;
+
+pub use check::check_header;
+pub use layout::ALIGN;
+pub(crate) use view::Sections;
+pub use view::View;

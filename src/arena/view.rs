@@ -1,0 +1,154 @@
+//! Reading an arena.
+//!
+//! # Safety
+//! A `View` exists only over bytes that [`View::open`] found consistent, that
+//! the build wrote, or that a caller of the unsafe constructors vouches for.
+//! Consistent means (see `check`): every voxel number of a grid lies in the
+//! voxels' section, which has one entry more; those entries do not decrease and
+//! end at the number of references; every reference names an existing triangle
+//! or a later grid. The accessors below rely on it instead of testing bounds.
+
+use core::marker::PhantomData;
+
+use super::check;
+use super::layout::{Grid, Header, Section, Triangle};
+use crate::Error;
+
+/// A scene in borrowed memory: an arena ready for queries. Copying it is free.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    base: *const u8,
+    marker: PhantomData<&'a [u8]>,
+}
+
+// SAFETY: a view only reads, and its bytes are borrowed immutably.
+unsafe impl Send for View<'_> {}
+// SAFETY: as above.
+unsafe impl Sync for View<'_> {}
+
+impl<'a> View<'a> {
+    /// Checks untrusted bytes and reads them in place. Bytes after the arena
+    /// are ignored. Cost: linear in the arena, no allocation.
+    ///
+    /// # Errors
+    /// [`Error::Alignment`] unless the bytes are aligned to 64; otherwise what
+    /// is wrong with them.
+    pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
+        check::check(bytes)?;
+        Ok(Self {
+            base: bytes.as_ptr(),
+            marker: PhantomData,
+        })
+    }
+
+    /// Reads bytes that are known to be an arena, without looking at them.
+    ///
+    /// # Safety
+    /// The bytes must be an arena that a build wrote, aligned to 64.
+    #[must_use]
+    pub unsafe fn open_trusted(bytes: &'a [u8]) -> Self {
+        Self {
+            base: bytes.as_ptr(),
+            marker: PhantomData,
+        }
+    }
+
+    /// The view of an arena that starts at `base`.
+    ///
+    /// # Safety
+    /// As [`View::open_trusted`], for as long as `'a`.
+    #[cfg(feature = "capi")]
+    pub(crate) unsafe fn from_ptr(base: *const u8) -> Self {
+        Self {
+            base,
+            marker: PhantomData,
+        }
+    }
+
+    /// The arena's bytes, to be saved or copied.
+    #[must_use]
+    pub fn bytes(&self) -> &'a [u8] {
+        // SAFETY: the header's size is the arena's.
+        unsafe { core::slice::from_raw_parts(self.base, self.header().bytes as usize) }
+    }
+
+    /// The box of the triangles, as lower and upper corner; infinite and
+    /// inverted for an empty scene.
+    #[must_use]
+    pub fn bounds(&self) -> ([f32; 3], [f32; 3]) {
+        (self.header().lower, self.header().upper)
+    }
+
+    pub(crate) fn header(&self) -> &'a Header {
+        // SAFETY: an arena starts with an aligned header.
+        unsafe { &*self.base.cast() }
+    }
+
+    #[inline(always)]
+    fn start<T>(&self, section: &Section) -> *const T {
+        // SAFETY: sections lie in the block, at aligned offsets.
+        unsafe { self.base.add(section.offset as usize).cast() }
+    }
+
+    fn all<T>(&self, section: &Section) -> &'a [T] {
+        // SAFETY: sections lie in the block and hold `count` records.
+        unsafe { core::slice::from_raw_parts(self.start(section), section.count as usize) }
+    }
+
+    pub(crate) fn grids(&self) -> &'a [Grid] {
+        self.all(&self.header().grids)
+    }
+
+    pub(crate) fn triangles(&self) -> &'a [Triangle] {
+        self.all(&self.header().triangles)
+    }
+
+    /// The pointers a walk keeps at hand.
+    #[inline(always)]
+    pub(crate) fn sections(&self) -> Sections<'a> {
+        let h = self.header();
+        Sections {
+            grids: self.start(&h.grids),
+            voxels: self.start(&h.voxels),
+            refs: self.start(&h.refs),
+            triangles: self.start(&h.triangles),
+            marker: PhantomData,
+        }
+    }
+}
+
+/// The starts of the sections, with unchecked access by number.
+#[derive(Clone, Copy)]
+pub(crate) struct Sections<'a> {
+    grids: *const Grid,
+    voxels: *const u32,
+    refs: *const u32,
+    triangles: *const Triangle,
+    marker: PhantomData<&'a [u8]>,
+}
+
+impl<'a> Sections<'a> {
+    /// Grid number `i`: 0 of a scene that is not empty, or from a reference.
+    #[inline(always)]
+    pub fn grid(&self, i: u32) -> &'a Grid {
+        // SAFETY: see the module.
+        unsafe { &*self.grids.add(i as usize) }
+    }
+
+    /// The references of voxel number `i` of some grid.
+    #[inline(always)]
+    pub fn refs(&self, i: usize) -> &'a [u32] {
+        // SAFETY: see the module.
+        unsafe {
+            let (start, end) = (*self.voxels.add(i), *self.voxels.add(i + 1));
+            core::slice::from_raw_parts(self.refs.add(start as usize), (end - start) as usize)
+        }
+    }
+
+    /// Triangle number `i`, from a reference.
+    #[inline(always)]
+    pub fn triangle(&self, i: u32) -> &'a Triangle {
+        // SAFETY: see the module.
+        unsafe { &*self.triangles.add(i as usize) }
+    }
+}

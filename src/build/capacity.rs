@@ -1,0 +1,108 @@
+//! How much memory a build can need: a function of counts alone.
+//!
+//! For n triangles, G grids, V voxels and R references the scratch memory is
+//! about `93 n + 152 G + 8 V + 4 R` bytes and the arena `48 n + 128 G + 4 V + 4 R`.
+//! Every pass keeps to these capacities: grids are made coarser, or the
+//! recursion stops, before one is exceeded.
+
+use super::cluster::Part;
+use super::draft::Span;
+use crate::Error;
+use crate::aabb::Aabb;
+use crate::arena::layout::{Grid, Triangle, sections};
+use crate::options::{Options, Structure};
+
+/// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sizes {
+    /// Size of the arena, a multiple of 64.
+    pub arena: usize,
+    /// Size of the scratch memory, a multiple of 64.
+    pub scratch: usize,
+}
+
+/// Most records of each kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Capacity {
+    pub triangles: usize,
+    pub grids: usize,
+    pub voxels: usize,
+    pub refs: usize,
+    /// Pairs of a grid and a grid that points to it.
+    pub links: usize,
+}
+
+/// Voxels that a grid over `objects` objects can have with `alpha`: rounding
+/// three counts of at least 1 makes at most 27 / 8 of `alpha^3 N`.
+fn voxels(alpha: f32, objects: f64) -> f64 {
+    let a = f64::from(alpha);
+    4.0 * a * a * a * objects + 1.0
+}
+
+impl Capacity {
+    pub fn new(triangles: usize, options: &Options) -> Self {
+        let n = triangles as f64;
+        let per_object = f64::from(options.max_refs);
+        let hug = matches!(options.structure, Structure::Auto | Structure::Hug);
+        let recursive = options.structure == Structure::Recursive;
+        let links = if hug {
+            4.0 * n / f64::from(options.min_cluster) + 1.0
+        } else {
+            0.0
+        };
+        let explicit: u64 = options.counts.iter().map(|&c| u64::from(c)).product();
+        let outer = (explicit as f64).max(voxels(options.outer_alpha(), n + links));
+        let (mut inner, mut refs) = (0.0, per_object * (n + links));
+        let mut grids = 1.0 + links;
+        if hug {
+            inner = voxels(options.alpha, n + links) + grids;
+        } else if recursive {
+            // Voxels and references of grids below, replaced lists included.
+            inner = 2.0 * voxels(options.alpha, n);
+            refs *= 2.0;
+            grids += refs / f64::from(options.maxp + 1);
+        }
+        let whole = |x: f64| (x.min(f64::from(u32::MAX - 1))) as usize + 1;
+        let none = triangles == 0;
+        Self {
+            triangles,
+            grids: if none { 0 } else { whole(grids) },
+            voxels: if none { 0 } else { whole(outer + inner) },
+            refs: if none { 0 } else { whole(refs) },
+            links: if none { 0 } else { whole(links) },
+        }
+    }
+
+    pub fn sizes(&self) -> Result<Sizes, Error> {
+        let counts = [self.grids, self.voxels + 1, self.refs, self.triangles].map(|c| c as u64);
+        let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3])?;
+        let records = [
+            (self.triangles, size_of::<Triangle>() + size_of::<Aabb>()),
+            // Numbers in the arena, the clustering's order, levels.
+            (self.triangles, 4 + 4 + 1),
+            (self.triangles, size_of::<Part>()),
+            // The objects of the grid at hand.
+            (self.triangles + self.links, 4),
+            (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
+            (self.links, size_of::<[u32; 2]>()),
+            (self.voxels, size_of::<Span>()),
+            (self.refs, 4),
+        ];
+        // Room to align each slice.
+        let mut scratch = 64 * 16;
+        for (count, size) in records {
+            scratch = count
+                .checked_mul(size)
+                .and_then(|bytes| bytes.checked_add(scratch))
+                .ok_or(Error::Overflow)?;
+        }
+        let scratch = scratch
+            .checked_next_multiple_of(64)
+            .ok_or(Error::Overflow)?;
+        isize::try_from(scratch).map_err(|_| Error::Overflow)?;
+        Ok(Sizes {
+            arena: arena as usize,
+            scratch,
+        })
+    }
+}

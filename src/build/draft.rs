@@ -1,0 +1,229 @@
+//! The structure as it grows: grids, the lists of their voxels, references.
+//!
+//! `fill` is the pass that every structure shares, a bucket sort: count the
+//! objects of each voxel, turn counts into positions, put the objects there.
+
+use super::capacity::Capacity;
+use super::gather::Soup;
+use super::overlap::{Range, voxels};
+use super::scratch::Scratch;
+use crate::Error;
+use crate::arena::layout::{GRID_BIT, Grid};
+use bytemuck::{Pod, Zeroable};
+
+/// A voxel's list: `count` references from number `start` on.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(C)]
+pub struct Span {
+    pub start: u32,
+    pub count: u32,
+}
+
+/// What [`Draft::fill`] does when a grid's references exceed its budget.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Crowded {
+    /// Halve the voxel counts.
+    Coarsen,
+    /// Give up with [`Error::Limit`].
+    Fail,
+}
+
+/// Grids, voxels and references in scratch memory.
+pub struct Draft<'s> {
+    pub soup: Soup<'s>,
+    grid_memory: &'s mut [Grid],
+    span_memory: &'s mut [Span],
+    ref_memory: &'s mut [u32],
+    grids: usize,
+    spans: usize,
+    refs: usize,
+    max_refs: u32,
+}
+
+/// Sizes of a draft, to go back to.
+#[derive(Clone, Copy)]
+pub struct Mark {
+    grids: usize,
+    spans: usize,
+    refs: usize,
+}
+
+impl<'s> Draft<'s> {
+    pub fn new(
+        soup: Soup<'s>,
+        capacity: &Capacity,
+        max_refs: u32,
+        scratch: &mut Scratch<'s>,
+    ) -> Result<Self, Error> {
+        Ok(Self {
+            soup,
+            grid_memory: scratch.take(capacity.grids)?,
+            span_memory: scratch.take(capacity.voxels)?,
+            ref_memory: scratch.take(capacity.refs)?,
+            grids: 0,
+            spans: 0,
+            refs: 0,
+            max_refs,
+        })
+    }
+
+    pub fn grids(&self) -> &[Grid] {
+        &self.grid_memory[..self.grids]
+    }
+
+    pub fn grids_mut(&mut self) -> &mut [Grid] {
+        &mut self.grid_memory[..self.grids]
+    }
+
+    pub fn spans(&self, grid: &Grid) -> &[Span] {
+        &self.span_memory[grid.first as usize..][..grid.voxels() as usize]
+    }
+
+    pub fn list(&self, span: Span) -> &[u32] {
+        &self.ref_memory[span.start as usize..][..span.count as usize]
+    }
+
+    pub fn mark(&self) -> Mark {
+        Mark {
+            grids: self.grids,
+            spans: self.spans,
+            refs: self.refs,
+        }
+    }
+
+    pub fn back_to(&mut self, mark: Mark) {
+        (self.grids, self.spans, self.refs) = (mark.grids, mark.spans, mark.refs);
+    }
+
+    /// Adds a grid without voxels; returns its number.
+    pub fn push(&mut self, grid: Grid) -> Result<usize, Error> {
+        *self.grid_memory.get_mut(self.grids).ok_or(Error::Limit)? = grid;
+        self.grids += 1;
+        Ok(self.grids - 1)
+    }
+
+    /// Sorts `objects` (ascending: triangles, then grids) into the voxels of a
+    /// grid. Cost: two overlap tests for each reference, plus the voxels.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] if the capacity does not suffice.
+    pub fn fill(&mut self, number: usize, objects: &[u32], crowded: Crowded) -> Result<(), Error> {
+        let (soup, grids) = (&self.soup, &mut self.grid_memory[..self.grids]);
+        let spans = &mut self.span_memory[self.spans..];
+        let refs = &mut self.ref_memory[self.refs..];
+        sort(
+            soup,
+            grids,
+            number,
+            objects,
+            (spans, self.spans),
+            (refs, self.refs),
+            self.max_refs,
+            crowded,
+        )
+        .map(|(voxels, used)| {
+            self.spans += voxels;
+            self.refs += used;
+        })
+    }
+
+    /// [`Draft::fill`] with the list of a voxel, which is then replaced by a
+    /// reference to the grid.
+    pub fn fill_from(&mut self, number: usize, voxel: usize) -> Result<(), Error> {
+        let span = self.span_memory[voxel];
+        let (soup, grids) = (&self.soup, &mut self.grid_memory[..self.grids]);
+        let spans = &mut self.span_memory[self.spans..];
+        let (done, refs) = self.ref_memory.split_at_mut(self.refs);
+        let objects = &done[span.start as usize..][..span.count as usize];
+        let (voxels, used) = sort(
+            soup,
+            grids,
+            number,
+            objects,
+            (spans, self.spans),
+            (refs, self.refs),
+            self.max_refs,
+            Crowded::Coarsen,
+        )?;
+        self.spans += voxels;
+        self.refs += used;
+        Ok(())
+    }
+
+    /// Makes the list of a voxel the one reference to grid `number`.
+    pub fn replace(&mut self, voxel: usize, number: usize) {
+        let span = &mut self.span_memory[voxel];
+        span.count = 1;
+        self.ref_memory[span.start as usize] = GRID_BIT | number as u32;
+    }
+}
+
+/// The bucket sort. `spans` and `refs` are free memory with the number of its
+/// first record; returns how much of each was used.
+#[allow(clippy::too_many_arguments)]
+fn sort(
+    soup: &Soup<'_>,
+    grids: &mut [Grid],
+    number: usize,
+    objects: &[u32],
+    (spans, first_span): (&mut [Span], usize),
+    (refs, first_ref): (&mut [u32], usize),
+    max_refs: u32,
+    crowded: Crowded,
+) -> Result<(usize, usize), Error> {
+    let budget = objects.len().saturating_mul(max_refs as usize);
+    loop {
+        grids[number].first = first_span as u32;
+        let grid = grids[number];
+        let spans = spans
+            .get_mut(..grid.voxels() as usize)
+            .ok_or(Error::Limit)?;
+        spans.fill(Span::default());
+        let mut total = 0;
+        for &object in objects {
+            each(soup, grids, &grid, object, |voxel| {
+                spans[voxel].count += 1;
+                total += 1;
+            });
+            if total > budget {
+                break;
+            }
+        }
+        if total > budget {
+            if crowded == Crowded::Fail || grid.n == [1; 3] {
+                return Err(Error::Limit);
+            }
+            grids[number] = grid.coarser();
+            continue;
+        }
+        let refs = refs.get_mut(..total).ok_or(Error::Limit)?;
+        let mut start = 0;
+        for span in spans.iter_mut() {
+            let count = core::mem::take(&mut span.count);
+            span.start = start;
+            start += count;
+        }
+        for &object in objects {
+            each(soup, grids, &grid, object, |voxel| {
+                let span = &mut spans[voxel];
+                refs[(span.start + span.count) as usize] = object;
+                span.count += 1;
+            });
+        }
+        for span in spans.iter_mut() {
+            span.start += first_ref as u32;
+        }
+        return Ok((spans.len(), total));
+    }
+}
+
+/// The voxels of `grid` that an object meets.
+#[inline(always)]
+fn each(soup: &Soup<'_>, grids: &[Grid], grid: &Grid, object: u32, visit: impl FnMut(usize)) {
+    if object & GRID_BIT == 0 {
+        let i = object as usize;
+        voxels(&soup.triangles[i], &soup.boxes[i], grid, visit);
+    } else if let Some(range) = Range::of_grid(grid, &grids[(object & !GRID_BIT) as usize]) {
+        range.each(grid, visit);
+    }
+}

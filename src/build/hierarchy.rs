@@ -1,0 +1,181 @@
+//! The hierarchy of clusters: which grids point to which (section 1.3).
+//!
+//! The world is grid 0; the others follow, grouped by level, highest first.
+//! Candidates come from a uniform grid over the boxes of each level, built with
+//! the bucket sort of `draft` in memory that is still free.
+
+use core::ops::Range;
+
+use super::draft::{Crowded, Draft, Mark};
+use super::frame::Rule;
+use super::overlap;
+use crate::Error;
+use crate::arena::layout::{GRID_BIT, Grid};
+use crate::options::{Gridding, Hierarchy, MAX_LEVELS};
+
+/// No parent yet.
+const NONE: u32 = u32::MAX;
+
+/// Links every grid but the world to its parents: fills `links` with pairs
+/// `[parent, child]` and returns how many, sorted. `objects` and `parent` are
+/// free memory for as many numbers as there are grids.
+pub fn link(
+    draft: &mut Draft<'_>,
+    rule: Hierarchy,
+    links: &mut [[u32; 2]],
+    objects: &mut [u32],
+    parent: &mut [u32],
+) -> Result<usize, Error> {
+    let total = draft.grids().len();
+    let mut above: [Range<usize>; MAX_LEVELS] = core::array::from_fn(|_| 0..0);
+    let (mut groups, mut count, mut first) = (0, 0, 1);
+    while first < total {
+        let level = draft.grids()[first].level;
+        let same = draft.grids()[first..]
+            .iter()
+            .take_while(|g| g.level == level);
+        let group = first..first + same.count();
+        parent[group.clone()].fill(NONE);
+        for upper in above[..groups].iter().rev() {
+            let index = Index::new(draft, upper.clone(), objects)?;
+            for child in group.clone() {
+                if rule == Hierarchy::Paper {
+                    // Where the memory for links runs out, the world serves:
+                    // one link is kept back for each grid still to come.
+                    let room = links.len().saturating_sub(total - child);
+                    count = index.under_all(draft, child, links, count, room, &mut parent[child]);
+                } else if parent[child] == NONE {
+                    parent[child] = index.smallest_around(draft, child);
+                }
+            }
+            index.drop(draft);
+        }
+        for child in group.clone() {
+            let covered = parent[child] != NONE;
+            if rule == Hierarchy::Paper && covered {
+                continue;
+            }
+            let above = if covered { parent[child] } else { 0 };
+            *links.get_mut(count).ok_or(Error::Limit)? = [above, child as u32];
+            count += 1;
+        }
+        above[groups] = group.clone();
+        groups += 1;
+        first = group.end;
+    }
+    links[..count].sort_unstable();
+    Ok(count)
+}
+
+fn contains(outer: &Grid, inner: &Grid) -> bool {
+    (0..3).all(|k| {
+        outer.lo[k] <= inner.lo[k] && inner.lo[k] + inner.extent[k] <= outer.lo[k] + outer.extent[k]
+    })
+}
+
+fn intersects(a: &Grid, b: &Grid) -> bool {
+    (0..3).all(|k| a.lo[k] <= b.lo[k] + b.extent[k] && b.lo[k] <= a.lo[k] + a.extent[k])
+}
+
+fn volume(grid: &Grid) -> f64 {
+    grid.extent.iter().product()
+}
+
+/// A uniform grid over the grids of one level.
+struct Index {
+    grid: Grid,
+    before: Mark,
+}
+
+impl Index {
+    fn new(draft: &mut Draft<'_>, grids: Range<usize>, objects: &mut [u32]) -> Result<Self, Error> {
+        let before = draft.mark();
+        let rule = Rule {
+            gridding: Gridding::Proportional,
+            alpha: 1.0,
+            counts: [0; 3],
+        };
+        let grid = Grid::around(&draft.soup.bounds, 0).divided(&rule, grids.len());
+        let objects = &mut objects[..grids.len()];
+        for (number, object) in grids.zip(objects.iter_mut()) {
+            *object = GRID_BIT | number as u32;
+        }
+        let number = draft.push(grid)?;
+        draft.fill(number, objects, Crowded::Coarsen)?;
+        Ok(Self {
+            grid: draft.grids()[number],
+            before,
+        })
+    }
+
+    fn drop(self, draft: &mut Draft<'_>) {
+        draft.back_to(self.before);
+    }
+
+    /// The indexed grid of least volume that contains grid `child`.
+    fn smallest_around(&self, draft: &Draft<'_>, child: usize) -> u32 {
+        let inner = draft.grids()[child];
+        let middle = core::array::from_fn(|k| inner.lo[k] + 0.5 * inner.extent[k]);
+        let mut best = NONE;
+        let Some(range) = overlap::Range::of(&self.grid, middle, middle) else {
+            return best;
+        };
+        range.each(&self.grid, |voxel| {
+            for &object in draft.list(draft.spans(&self.grid)[voxel]) {
+                let number = object & !GRID_BIT;
+                let outer = &draft.grids()[number as usize];
+                let smaller = best == NONE
+                    || volume(outer)
+                        .total_cmp(&volume(&draft.grids()[best as usize]))
+                        .then(number.cmp(&best))
+                        .is_lt();
+                if smaller && contains(outer, &inner) {
+                    best = number;
+                }
+            }
+        });
+        best
+    }
+
+    /// Links `child` to every indexed grid that it intersects, up to `room`
+    /// links in all; `cover` becomes one that contains it.
+    fn under_all(
+        &self,
+        draft: &Draft<'_>,
+        child: usize,
+        links: &mut [[u32; 2]],
+        mut count: usize,
+        room: usize,
+        cover: &mut u32,
+    ) -> usize {
+        let inner = draft.grids()[child];
+        let Some(range) = overlap::Range::of_grid(&self.grid, &inner) else {
+            return count;
+        };
+        range.each(&self.grid, |voxel| {
+            for &object in draft.list(draft.spans(&self.grid)[voxel]) {
+                let number = object & !GRID_BIT;
+                let outer = &draft.grids()[number as usize];
+                let Some(other) = overlap::Range::of_grid(&self.grid, outer) else {
+                    continue;
+                };
+                // A pair shares a block of voxels; its lowest one reports it.
+                let lowest: [u32; 3] = core::array::from_fn(|k| range.lo[k].max(other.lo[k]));
+                let mut owner = false;
+                overlap::Range {
+                    lo: lowest,
+                    hi: lowest,
+                }
+                .each(&self.grid, |v| owner = v == voxel);
+                if owner && intersects(outer, &inner) && count < room {
+                    links[count] = [number, child as u32];
+                    count += 1;
+                    if contains(outer, &inner) {
+                        *cover = number;
+                    }
+                }
+            }
+        });
+        count
+    }
+}

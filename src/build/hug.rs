@@ -1,0 +1,195 @@
+//! The hierarchy of uniform grids (section 1.3): filter, cluster, link, fill.
+
+use bytemuck::Zeroable;
+
+use super::capacity::Capacity;
+use super::cluster::{Part, cluster};
+use super::draft::{Crowded, Draft};
+use super::filter::Levels;
+use super::frame::Rule;
+use super::hierarchy::link;
+use super::scratch::Scratch;
+use super::uniform::{outer_crowded, outer_rule};
+use crate::Error;
+use crate::aabb::Aabb;
+use crate::arena::layout::{GRID_BIT, Grid};
+use crate::options::{Delta, Options};
+
+/// Builds the hierarchy. `objects` is room for
+/// the triangles' numbers and all links.
+pub fn hug<'s>(
+    draft: &mut Draft<'s>,
+    options: &Options,
+    capacity: &Capacity,
+    objects: &mut [u32],
+    scratch: &mut Scratch<'s>,
+) -> Result<(), Error> {
+    let count = draft.soup.triangles.len();
+    let boxes = draft.soup.boxes;
+    let levels = Levels::fit(&options.filter, boxes);
+    let world = levels.count() as u8 - 1;
+    let home = &mut scratch.take::<u8>(capacity.triangles)?[..count];
+    let order = &mut scratch.take::<u32>(capacity.triangles)?[..count];
+    let parts = scratch.take::<Part>(capacity.triangles)?;
+    let ranges = scratch.take::<[u32; 2]>(capacity.grids)?;
+    let links = scratch.take::<[u32; 2]>(capacity.links)?;
+
+    let bounds = level_ranges(&levels, boxes, home, order);
+    draft.push(Grid::around(&draft.soup.bounds, u32::from(world)))?;
+    ranges[0] = Zeroable::zeroed();
+    for level in (0..usize::from(world)).rev() {
+        let range = bounds[level] as usize..bounds[level + 1] as usize;
+        let delta = f64::from(options.connectivity)
+            * length(&levels, level, &order[range.clone()], boxes, options);
+        clusters(
+            draft,
+            options,
+            (order, range),
+            delta,
+            (home, world),
+            parts,
+            ranges,
+            level,
+        )?;
+    }
+    let grids = draft.grids().len();
+    // The index array's tail beyond the triangles is not in use yet.
+    let count_links = {
+        let (free, parent) = objects.split_at_mut(grids.min(objects.len() / 2));
+        link(draft, options.hierarchy, links, free, parent)?
+    };
+    fill(
+        draft,
+        options,
+        ranges,
+        order,
+        (home, world),
+        &links[..count_links],
+        objects,
+    )
+}
+
+/// Sorts the triangles' numbers by level, into `order`; level k is the range
+/// from entry k to entry k + 1 of the result.
+fn level_ranges(levels: &Levels, boxes: &[Aabb], home: &mut [u8], order: &mut [u32]) -> [u32; 17] {
+    let mut bounds = [0u32; 17];
+    for (home, b) in home.iter_mut().zip(boxes) {
+        *home = levels.of(b.diagonal()) as u8;
+        bounds[usize::from(*home) + 1] += 1;
+    }
+    for level in 1..17 {
+        bounds[level] += bounds[level - 1];
+    }
+    let mut next = bounds;
+    for (i, home) in (0..).zip(home.iter()) {
+        let at = &mut next[usize::from(*home)];
+        order[*at as usize] = i;
+        *at += 1;
+    }
+    bounds
+}
+
+/// The length that delta is a multiple of.
+fn length(
+    levels: &Levels,
+    level: usize,
+    members: &[u32],
+    boxes: &[Aabb],
+    options: &Options,
+) -> f64 {
+    match options.delta {
+        Delta::Midpoint => levels.middle(level),
+        Delta::Mean => {
+            let sum: f64 = members.iter().map(|&i| boxes[i as usize].diagonal()).sum();
+            sum / members.len().max(1) as f64
+        }
+    }
+}
+
+/// Makes a grid of each cluster of a level that is large enough; the objects of
+/// the others pop up into the world.
+#[allow(clippy::too_many_arguments)]
+fn clusters(
+    draft: &mut Draft<'_>,
+    options: &Options,
+    (order, range): (&mut [u32], core::ops::Range<usize>),
+    delta: f64,
+    (home, world): (&mut [u8], u8),
+    parts: &mut [Part],
+    ranges: &mut [[u32; 2]],
+    level: usize,
+) -> Result<(), Error> {
+    let boxes = draft.soup.boxes;
+    let start = range.start;
+    let mut number = draft.grids().len();
+    let first = number;
+    cluster(&mut order[range], boxes, delta, parts, |found| {
+        if found.len() >= options.min_cluster as usize {
+            ranges[number] = [(start + found.start) as u32, (start + found.end) as u32];
+            number += 1;
+        }
+    });
+    // Whatever is in no grid of the level goes to the world.
+    for home in home.iter_mut().filter(|home| usize::from(**home) == level) {
+        *home = world;
+    }
+    for &[start, end] in &ranges[first..number] {
+        let members = &mut order[start as usize..end as usize];
+        members.sort_unstable();
+        let mut b = Aabb::EMPTY;
+        for &i in members.iter() {
+            b.join(&boxes[i as usize]);
+            home[i as usize] = level as u8;
+        }
+        draft.push(Grid::around(&b, level as u32))?;
+    }
+    Ok(())
+}
+
+/// Cuts each grid into voxels and sorts its objects and lower grids into them.
+fn fill(
+    draft: &mut Draft<'_>,
+    options: &Options,
+    ranges: &[[u32; 2]],
+    order: &[u32],
+    (home, world): (&[u8], u8),
+    mut links: &[[u32; 2]],
+    objects: &mut [u32],
+) -> Result<(), Error> {
+    let inner = Rule {
+        gridding: options.gridding,
+        alpha: options.alpha,
+        counts: [0; 3],
+    };
+    for number in 0..draft.grids().len() {
+        let (mut count, outer) = (0, number == 0);
+        let mut add = |object: u32| {
+            objects[count] = object;
+            count += 1;
+        };
+        if outer {
+            (0..)
+                .zip(home)
+                .filter(|(_, home)| **home == world)
+                .for_each(|(i, _)| add(i));
+        } else {
+            let [start, end] = ranges[number];
+            order[start as usize..end as usize]
+                .iter()
+                .for_each(|&i| add(i));
+        }
+        let below = links.iter().take_while(|l| l[0] as usize == number).count();
+        links[..below].iter().for_each(|l| add(GRID_BIT | l[1]));
+        links = &links[below..];
+        let rule = if outer { outer_rule(options) } else { inner };
+        let crowded = if outer {
+            outer_crowded(options)
+        } else {
+            Crowded::Coarsen
+        };
+        let grid = draft.grids()[number].divided(&rule, count);
+        draft.grids_mut()[number] = grid;
+        draft.fill(number, &objects[..count], crowded)?;
+    }
+    Ok(())
+}

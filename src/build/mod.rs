@@ -1,0 +1,102 @@
+//! Building: from a triangle soup to an arena, in passes over flat arrays.
+//!
+//! `gather` reads the soup; `uniform`, `recursive` or `hug` (with `filter`,
+//! `cluster`, `hierarchy`) shape the structure in a `draft`, where `overlap` and
+//! `frame` decide geometry; `flatten` writes the arena. All memory is cut from one
+//! scratch block (`capacity`, `scratch`), so that both doors of the library, with
+//! and without an allocator, run the same code and write the same bytes.
+
+mod capacity;
+mod cluster;
+mod draft;
+mod filter;
+mod flatten;
+mod frame;
+mod gather;
+mod hierarchy;
+mod hug;
+mod overlap;
+mod recursive;
+mod scratch;
+mod uniform;
+
+pub use capacity::Sizes;
+pub use flatten::Plan;
+
+use crate::Error;
+use crate::geometry::{Geometry, count};
+use crate::options::{Options, Structure};
+use crate::simd::fpenv;
+use capacity::Capacity;
+use draft::Draft;
+use gather::Soup;
+use scratch::Scratch;
+
+/// Upper bounds on the memory a build of these geometries needs; their
+/// vertices are not looked at.
+///
+/// # Errors
+/// [`Error::Limit`] for too many triangles, [`Error::Overflow`] if the bounds do
+/// not fit the address space, [`Error::InvalidValue`] for options out of range.
+pub fn measure(soup: &[Geometry<'_>], options: &Options) -> Result<Sizes, Error> {
+    measure_count(count(soup)?, options)
+}
+
+/// [`measure`] for a number of triangles.
+pub(crate) fn measure_count(triangles: usize, options: &Options) -> Result<Sizes, Error> {
+    options.check()?;
+    Capacity::new(triangles, options).sizes()
+}
+
+/// Builds a structure in scratch memory.
+///
+/// # Errors
+/// As [`measure`]; [`Error::BufferTooSmall`] if `scratch` is; and
+/// [`Error::IndexRange`] for an index that names no vertex.
+pub fn plan<'s>(
+    soup: &[Geometry<'_>],
+    options: &Options,
+    scratch: &'s mut [u8],
+) -> Result<Plan<'s>, Error> {
+    options.check()?;
+    let capacity = Capacity::new(count(soup)?, options);
+    fpenv::with_default(|| {
+        let mut scratch = Scratch::new(scratch);
+        let soup = Soup::gather(soup, capacity.triangles, &mut scratch)?;
+        let count = soup.triangles.len();
+        let numbers = &mut scratch.take::<u32>(capacity.triangles)?[..count];
+        let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
+        let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
+        let structure = match options.structure {
+            Structure::Auto => Structure::Hug,
+            chosen => chosen,
+        };
+        if count > 0 {
+            match structure {
+                Structure::Uniform => uniform::uniform(&mut draft, options, objects)?,
+                Structure::Recursive => recursive::recursive(&mut draft, options, objects)?,
+                Structure::Auto | Structure::Hug => {
+                    hug::hug(&mut draft, options, &capacity, objects, &mut scratch)?;
+                }
+            }
+        }
+        Plan::new(draft, structure, numbers)
+    })
+}
+
+/// Builds an arena in the caller's memory, with no allocation: `scratch` of any
+/// alignment, `arena` aligned to 64, both at least as [`measure`] says.
+///
+/// # Errors
+/// As [`plan`] and [`Plan::write`].
+pub fn build_into<'a>(
+    soup: &[Geometry<'_>],
+    options: &Options,
+    scratch: &mut [u8],
+    arena: &'a mut [u8],
+) -> Result<&'a [u8], Error> {
+    let plan = plan(soup, options, scratch)?;
+    let bytes = plan.arena_bytes();
+    plan.write(arena)?;
+    Ok(&arena[..bytes])
+}

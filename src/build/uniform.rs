@@ -1,0 +1,37 @@
+//! The uniform grid (section 1.3): the box of all objects, cut once.
+
+use super::draft::{Crowded, Draft};
+use super::frame::Rule;
+use crate::Error;
+use crate::arena::layout::Grid;
+use crate::options::Options;
+
+/// The outermost grid's rule for its counts.
+pub fn outer_rule(options: &Options) -> Rule {
+    Rule {
+        gridding: options.gridding,
+        alpha: options.outer_alpha(),
+        counts: options.counts,
+    }
+}
+
+/// What to do when the outermost grid's references exceed its budget.
+pub fn outer_crowded(options: &Options) -> Crowded {
+    if options.counts == [0; 3] {
+        Crowded::Coarsen
+    } else {
+        Crowded::Fail
+    }
+}
+
+/// Puts all triangles into one grid. `objects` is room for their numbers.
+pub fn uniform(draft: &mut Draft<'_>, options: &Options, objects: &mut [u32]) -> Result<(), Error> {
+    let count = draft.soup.triangles.len();
+    let grid = Grid::around(&draft.soup.bounds, 0).divided(&outer_rule(options), count);
+    let number = draft.push(grid)?;
+    let objects = &mut objects[..count];
+    for (i, object) in (0..).zip(objects.iter_mut()) {
+        *object = i;
+    }
+    draft.fill(number, objects, outer_crowded(options))
+}

@@ -1,0 +1,300 @@
+//! Reading a build descriptor: from raw pointers to geometries and options.
+
+use core::mem::MaybeUninit;
+
+use super::guard::overlap;
+use super::types::{
+    HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER, HUG_INDEX_NONE, HUG_INDEX_U16,
+    HUG_INDEX_U32, hug_build_desc, hug_geometry,
+};
+use crate::geometry::{Geometry, Indices};
+use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Structure};
+use crate::{Error, MAX_TRIANGLES};
+
+/// A descriptor whose options are in range and whose pointers are not NULL and
+/// are aligned.
+pub struct Parsed<'a> {
+    pub desc: hug_build_desc,
+    pub options: Options,
+    geometries: &'a [hug_geometry],
+}
+
+impl<'a> Parsed<'a> {
+    /// Reads and checks a descriptor.
+    ///
+    /// # Safety
+    /// `desc`, its thresholds and its geometries are readable (or NULL), for `'a`.
+    pub unsafe fn read(desc: *const hug_build_desc) -> Result<Self, Error> {
+        if desc.is_null() {
+            return Err(Error::Null);
+        }
+        if !desc.is_aligned() {
+            return Err(Error::Alignment);
+        }
+        // SAFETY: every descriptor begins with its size.
+        let size = unsafe { desc.cast::<usize>().read() };
+        if size < size_of::<hug_build_desc>() {
+            return Err(Error::StructSize);
+        }
+        // SAFETY: the caller vouches for `size` bytes; a later version's further
+        // fields must be zero, as we cannot honour them.
+        let (head, tail) = unsafe {
+            let bytes = core::slice::from_raw_parts(desc.cast::<u8>(), size.min(MAX_DESC));
+            (desc.read(), &bytes[size_of::<hug_build_desc>()..])
+        };
+        if size > MAX_DESC || tail.iter().any(|&b| b != 0) || head.reserved != 0 {
+            return Err(Error::StructSize);
+        }
+        if head.geometry_count > 0 && head.geometries.is_null() {
+            return Err(Error::Null);
+        }
+        // SAFETY: not NULL unless empty; readable by contract.
+        let geometries = unsafe { slice(head.geometries, head.geometry_count) }?;
+        // SAFETY: thresholds are readable by contract.
+        let options = unsafe { options(&head) }?;
+        options.check()?;
+        for geometry in geometries {
+            check(geometry)?;
+        }
+        Ok(Self {
+            desc: head,
+            options,
+            geometries,
+        })
+    }
+
+    /// Number of triangles in all geometries.
+    pub fn triangle_count(&self) -> Result<usize, Error> {
+        let counts = self.geometries.iter().map(|g| g.triangle_count);
+        let sum = counts.fold(Some(0usize), |n: Option<usize>, c| n?.checked_add(c));
+        sum.filter(|&n| n <= MAX_TRIANGLES).ok_or(Error::Limit)
+    }
+
+    /// Bytes that [`Parsed::soup`] needs.
+    pub fn soup_bytes(&self) -> Result<usize, Error> {
+        let bytes = self.geometries.len().checked_mul(size_of::<Geometry<'_>>());
+        bytes
+            .and_then(|b| b.checked_add(2 * 64)?.checked_next_multiple_of(64))
+            .ok_or(Error::Overflow)
+    }
+
+    /// Writes the geometries to the start of `memory` and returns them with the
+    /// rest of it.
+    pub fn soup<'m>(
+        &self,
+        memory: &'m mut [u8],
+    ) -> Result<(&'m [Geometry<'a>], &'m mut [u8]), Error> {
+        let skip = memory.as_ptr().align_offset(align_of::<Geometry<'_>>());
+        let end = self.soup_bytes()? - 64;
+        if memory.len() < end || skip > 64 {
+            return Err(Error::BufferTooSmall);
+        }
+        let (head, rest) = memory.split_at_mut(end);
+        let count = self.geometries.len();
+        // SAFETY: aligned, large enough, and borrowed for 'm; uninitialised is fine.
+        let list = unsafe {
+            let start = head
+                .as_mut_ptr()
+                .add(skip)
+                .cast::<MaybeUninit<Geometry<'a>>>();
+            core::slice::from_raw_parts_mut(start, count)
+        };
+        for (to, from) in list.iter_mut().zip(self.geometries) {
+            // SAFETY: the geometry's memory is readable by contract.
+            to.write(unsafe { geometry(from) }?);
+        }
+        // SAFETY: every element was written.
+        Ok((
+            unsafe { &*(&raw const *list as *const [Geometry<'a>]) },
+            rest,
+        ))
+    }
+
+    /// Whether the build's input keeps clear of memory it will write.
+    pub fn apart_from(&self, start: usize, len: usize) -> Result<(), Error> {
+        let list = size_of_val(self.geometries);
+        let mut shared = overlap(self.geometries.as_ptr() as usize, list, start, len)?;
+        for g in self.geometries {
+            let vertices = vertex_bytes(g)?;
+            shared |= overlap(g.vertices as usize, vertices, start, len)?;
+            shared |= overlap(g.indices as usize, index_bytes(g)?, start, len)?;
+        }
+        if shared { Err(Error::Overlap) } else { Ok(()) }
+    }
+}
+
+/// No version of the descriptor will be larger: a larger size is garbage.
+const MAX_DESC: usize = 4096;
+
+/// # Safety
+/// `count` records are readable, unless `count` is 0.
+unsafe fn slice<'a, T>(start: *const T, count: usize) -> Result<&'a [T], Error> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    if !start.is_aligned() {
+        return Err(Error::Alignment);
+    }
+    let bytes = count.checked_mul(size_of::<T>()).ok_or(Error::Overflow)?;
+    if isize::try_from(bytes).is_err() || (start as usize).checked_add(bytes).is_none() {
+        return Err(Error::Overflow);
+    }
+    // SAFETY: aligned, no overflow, readable by the caller.
+    Ok(unsafe { core::slice::from_raw_parts(start, count) })
+}
+
+fn stride(g: &hug_geometry) -> usize {
+    if g.vertex_stride == 0 {
+        12
+    } else {
+        g.vertex_stride
+    }
+}
+
+/// Bytes from the first vertex to the end of the last one's z.
+fn vertex_bytes(g: &hug_geometry) -> Result<usize, Error> {
+    match g.vertex_count {
+        0 => Ok(0),
+        n => (n - 1)
+            .checked_mul(stride(g))
+            .and_then(|b| b.checked_add(12))
+            .ok_or(Error::Overflow),
+    }
+}
+
+fn index_bytes(g: &hug_geometry) -> Result<usize, Error> {
+    let size = match g.index_type {
+        HUG_INDEX_NONE => 0,
+        HUG_INDEX_U16 => 2,
+        _ => 4,
+    };
+    g.triangle_count
+        .checked_mul(3 * size)
+        .ok_or(Error::Overflow)
+}
+
+/// Checks a geometry without reading its arrays.
+fn check(g: &hug_geometry) -> Result<(), Error> {
+    if g.index_type > HUG_INDEX_U32 {
+        return Err(Error::InvalidValue);
+    }
+    let indexed = g.index_type != HUG_INDEX_NONE;
+    if g.vertex_count > 0 && g.vertices.is_null()
+        || indexed && g.triangle_count > 0 && g.indices.is_null()
+    {
+        return Err(Error::Null);
+    }
+    if !g.vertices.is_aligned() || stride(g) % 4 != 0 || stride(g) < 12 {
+        return Err(Error::Alignment);
+    }
+    let align = if g.index_type == HUG_INDEX_U16 { 2 } else { 4 };
+    if indexed && !(g.indices as usize).is_multiple_of(align) {
+        return Err(Error::Alignment);
+    }
+    for (start, bytes) in [
+        (g.vertices as usize, vertex_bytes(g)?),
+        (g.indices as usize, index_bytes(g)?),
+    ] {
+        if isize::try_from(bytes).is_err() || start.checked_add(bytes).is_none() {
+            return Err(Error::Overflow);
+        }
+    }
+    if !indexed && g.triangle_count > g.vertex_count / 3 {
+        return Err(Error::IndexRange);
+    }
+    Ok(())
+}
+
+/// # Safety
+/// The arrays of a geometry that passed [`check`] are readable.
+unsafe fn geometry<'a>(g: &hug_geometry) -> Result<Geometry<'a>, Error> {
+    let indexed = g.index_type != HUG_INDEX_NONE;
+    let vertices = if indexed {
+        g.vertex_count
+    } else {
+        3 * g.triangle_count
+    };
+    let floats = match vertices {
+        0 => 0,
+        n => (n - 1) * (stride(g) / 4) + 3,
+    };
+    // SAFETY: readable by the caller; sizes were checked.
+    let geometry = unsafe {
+        let coords = slice(g.vertices, floats)?;
+        let indices = match g.index_type {
+            HUG_INDEX_NONE => Indices::None,
+            HUG_INDEX_U16 => Indices::U16(slice(g.indices.cast(), 3 * g.triangle_count)?),
+            _ => Indices::U32(slice(g.indices.cast(), 3 * g.triangle_count)?),
+        };
+        Geometry::new(coords, stride(g) / 4, indices)?
+    };
+    Ok(geometry.with_mask(if g.mask == 0 { u32::MAX } else { g.mask }))
+}
+
+fn or<T: PartialEq + Default>(value: T, default: T) -> T {
+    if value == T::default() {
+        default
+    } else {
+        value
+    }
+}
+
+/// # Safety
+/// `filter_thresholds` is NULL or readable.
+unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
+    let normal = Options::default();
+    Ok(Options {
+        structure: match d.structure {
+            0 => Structure::Auto,
+            1 => Structure::Uniform,
+            2 => Structure::Recursive,
+            3 => Structure::Hug,
+            _ => return Err(Error::InvalidValue),
+        },
+        gridding: match d.gridding {
+            0 => Gridding::Proportional,
+            HUG_GRIDDING_HOMOGENEOUS => Gridding::Homogeneous,
+            _ => return Err(Error::InvalidValue),
+        },
+        counts: d.counts,
+        alpha: or(d.alpha, normal.alpha),
+        world_alpha: (d.world_alpha != 0.0).then_some(d.world_alpha),
+        maxp: or(d.maxp, normal.maxp),
+        max_depth: or(d.max_depth, normal.max_depth),
+        // SAFETY: by the caller.
+        filter: unsafe { filter(d) }?,
+        connectivity: or(d.connectivity, normal.connectivity),
+        delta: match d.delta {
+            0 => Delta::Midpoint,
+            HUG_DELTA_MEAN => Delta::Mean,
+            _ => return Err(Error::InvalidValue),
+        },
+        hierarchy: match d.hierarchy {
+            0 => Hierarchy::Nested,
+            HUG_HIERARCHY_PAPER => Hierarchy::Paper,
+            _ => return Err(Error::InvalidValue),
+        },
+        min_cluster: or(d.min_cluster, normal.min_cluster),
+        max_refs: or(d.max_refs, normal.max_refs),
+    })
+}
+
+/// # Safety
+/// `filter_thresholds` is NULL or readable.
+unsafe fn filter(d: &hug_build_desc) -> Result<Filter, Error> {
+    if d.filter_thresholds.is_null() {
+        return match d.filter_levels {
+            0 | 2 => Ok(Filter::TwoLevels(or(d.filter_share, 0.05))),
+            3 => Ok(Filter::ThreeLevels),
+            _ => Err(Error::InvalidValue),
+        };
+    }
+    if !(2..=MAX_LEVELS as u32).contains(&d.filter_levels) {
+        return Err(Error::InvalidValue);
+    }
+    let count = d.filter_levels as usize - 1;
+    let mut at = [0.0; MAX_LEVELS - 1];
+    // SAFETY: readable by the caller.
+    at[..count].copy_from_slice(unsafe { slice(d.filter_thresholds, count) }?);
+    Ok(Filter::Thresholds { count, at })
+}

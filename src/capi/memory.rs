@@ -1,0 +1,180 @@
+//! Memory for the easy door: the caller's allocator, or the default one.
+
+use core::ffi::c_void;
+
+use super::build::hug_scene;
+use super::types::{hug_alloc_fn, hug_build_desc, hug_free_fn};
+use crate::Error;
+use crate::arena::ALIGN;
+
+/// Where memory comes from.
+#[derive(Clone, Copy)]
+pub struct Allocator {
+    alloc: hug_alloc_fn,
+    free: hug_free_fn,
+    user: *mut c_void,
+}
+
+/// Stands right before a scene's arena and tells [`Block::free_scene`] how to
+/// free it: the arena itself holds no pointers.
+#[repr(C, align(64))]
+struct Prefix {
+    allocator: Allocator,
+    size: usize,
+}
+
+const _: () = assert!(size_of::<Prefix>() == ALIGN);
+
+impl Allocator {
+    /// The descriptor's allocator; both functions or none.
+    pub fn new(desc: &hug_build_desc) -> Result<Self, Error> {
+        let default = cfg!(feature = "alloc");
+        match (desc.alloc, desc.free) {
+            (Some(_), Some(_)) => {}
+            (None, None) if default => {}
+            _ => return Err(Error::Null),
+        }
+        Ok(Self {
+            alloc: desc.alloc,
+            free: desc.free,
+            user: desc.user,
+        })
+    }
+
+    /// `size` zeroed or unspecified bytes, aligned to 64.
+    fn get(&self, size: usize) -> Result<*mut u8, Error> {
+        let memory = match self.alloc {
+            // SAFETY: the caller's function, called as documented.
+            Some(alloc) => unsafe { alloc(size, ALIGN, self.user) }.cast(),
+            None => default_alloc(size)?,
+        };
+        if memory.is_null() {
+            return Err(Error::OutOfMemory);
+        }
+        if !(memory as usize).is_multiple_of(ALIGN) {
+            // SAFETY: it came from `alloc` just now.
+            unsafe { self.put(memory, size) };
+            return Err(Error::Alignment);
+        }
+        Ok(memory)
+    }
+
+    /// # Safety
+    /// `memory` came from [`Allocator::get`] with this size.
+    unsafe fn put(&self, memory: *mut u8, size: usize) {
+        match self.free {
+            // SAFETY: the caller's function, called as documented.
+            Some(free) => unsafe { free(memory.cast(), size, self.user) },
+            // SAFETY: by the caller.
+            None => unsafe { default_free(memory, size) },
+        }
+    }
+}
+
+#[cfg(feature = "alloc")]
+fn layout(size: usize) -> Result<core::alloc::Layout, Error> {
+    core::alloc::Layout::from_size_align(size, ALIGN).map_err(|_| Error::Overflow)
+}
+
+/// Zeroed, so that pages which a bound asks for and the build does not touch
+/// are never made resident.
+#[cfg(feature = "alloc")]
+fn default_alloc(size: usize) -> Result<*mut u8, Error> {
+    // SAFETY: sizes here are at least 64.
+    Ok(unsafe { alloc::alloc::alloc_zeroed(layout(size)?) })
+}
+
+#[cfg(feature = "alloc")]
+unsafe fn default_free(memory: *mut u8, size: usize) {
+    if let Ok(layout) = layout(size) {
+        // SAFETY: by the caller; the layout is the one it was made with.
+        unsafe { alloc::alloc::dealloc(memory, layout) };
+    }
+}
+
+#[cfg(not(feature = "alloc"))]
+fn default_alloc(_: usize) -> Result<*mut u8, Error> {
+    Err(Error::Null)
+}
+
+#[cfg(not(feature = "alloc"))]
+unsafe fn default_free(_: *mut u8, _: usize) {}
+
+/// An allocated block, freed when dropped unless it becomes a scene.
+pub struct Block {
+    allocator: Allocator,
+    memory: *mut u8,
+    size: usize,
+    /// Bytes before the usable part.
+    head: usize,
+}
+
+impl Block {
+    pub fn scratch(allocator: &Allocator, size: usize) -> Result<Self, Error> {
+        Self::new(allocator, size.max(ALIGN), 0)
+    }
+
+    /// Room for an arena, behind a prefix.
+    pub fn scene(allocator: &Allocator, size: usize) -> Result<Self, Error> {
+        Self::new(
+            allocator,
+            size.checked_add(ALIGN).ok_or(Error::Overflow)?,
+            ALIGN,
+        )
+    }
+
+    fn new(allocator: &Allocator, size: usize, head: usize) -> Result<Self, Error> {
+        let memory = allocator.get(size)?;
+        if allocator.alloc.is_some() {
+            // SAFETY: `size` bytes from the caller's allocator; a byte must not
+            // be uninitialised before Rust may look at it.
+            unsafe { memory.write_bytes(0, size) };
+        }
+        Ok(Self {
+            allocator: *allocator,
+            memory,
+            size,
+            head,
+        })
+    }
+
+    pub fn bytes(&mut self) -> &mut [u8] {
+        // SAFETY: owned and initialised.
+        unsafe {
+            core::slice::from_raw_parts_mut(self.memory.add(self.head), self.size - self.head)
+        }
+    }
+
+    /// Gives the block away as a scene handle.
+    pub fn into_scene(self) -> *mut hug_scene {
+        let prefix = Prefix {
+            allocator: self.allocator,
+            size: self.size,
+        };
+        // SAFETY: the block starts with room for the prefix, aligned to 64.
+        let scene = unsafe {
+            self.memory.cast::<Prefix>().write(prefix);
+            self.memory.add(ALIGN)
+        };
+        core::mem::forget(self);
+        scene.cast()
+    }
+
+    /// # Safety
+    /// `scene` came from [`Block::into_scene`] and is not used any more.
+    pub unsafe fn free_scene(scene: *mut hug_scene) {
+        // SAFETY: the prefix lies right before the scene.
+        unsafe {
+            let memory = scene.cast::<u8>().sub(ALIGN);
+            let Prefix { allocator, size } = memory.cast::<Prefix>().read();
+            allocator.put(memory, size);
+        }
+    }
+}
+
+impl Drop for Block {
+    fn drop(&mut self) {
+        // SAFETY: owned, with the size it was allocated with.
+        unsafe { self.allocator.put(self.memory, self.size) };
+    }
+}

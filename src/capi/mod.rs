@@ -1,0 +1,20 @@
+//! The C ABI: thin exported functions over the library (design: one prefix,
+//! statuses, frozen records; include/hug.h is generated from here).
+//!
+//! # Safety
+//! All `unsafe` of this module rests on what the header asks of C callers:
+//! pointers that are not NULL point to as much readable (or writable) memory
+//! as their counts say. What can be checked without touching memory (NULL,
+//! alignment, overlap, overflow, ranges) is checked and gives a status.
+
+mod build;
+mod desc;
+mod guard;
+mod memory;
+mod query;
+mod stats;
+pub mod types;
+
+pub use build::*;
+pub use query::*;
+pub use stats::*;

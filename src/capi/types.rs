@@ -1,0 +1,325 @@
+//! The C mirrors of the library's types: descriptors, records, constants.
+//!
+//! Every struct is `repr(C)`; enumerations are integers with constants, so that
+//! an unknown value from C is an error status and never undefined behaviour.
+#![allow(non_camel_case_types)]
+
+use core::ffi::c_void;
+
+/// What a function that can fail returns: HUG_OK or one of HUG_ERROR_*.
+pub type hug_status = i32;
+
+/// Success.
+pub const HUG_OK: hug_status = 0;
+/// A required pointer is NULL.
+pub const HUG_ERROR_NULL: hug_status = 1;
+/// struct_size is smaller than the first version of the descriptor, or a field that this version does not know is not zero.
+pub const HUG_ERROR_STRUCT_SIZE: hug_status = 2;
+/// An option or enumeration is out of its range.
+pub const HUG_ERROR_INVALID_VALUE: hug_status = 3;
+/// A pointer or stride is not aligned as its type requires.
+pub const HUG_ERROR_ALIGNMENT: hug_status = 4;
+/// Input, scratch, arena or output memory overlap.
+pub const HUG_ERROR_OVERLAP: hug_status = 5;
+/// A count times a size does not fit the address space.
+pub const HUG_ERROR_OVERFLOW: hug_status = 6;
+/// A vertex index is not below its geometry's vertex count.
+pub const HUG_ERROR_INDEX_RANGE: hug_status = 7;
+/// The allocator returned NULL.
+pub const HUG_ERROR_OUT_OF_MEMORY: hug_status = 8;
+/// The scratch or arena memory handed in is too small.
+pub const HUG_ERROR_BUFFER_TOO_SMALL: hug_status = 9;
+/// More than 2^31 - 1 triangles, or more references than max_refs allows at the counts asked for.
+pub const HUG_ERROR_LIMIT: hug_status = 10;
+/// hug_open: the bytes end before the arena does.
+pub const HUG_ERROR_TRUNCATED: hug_status = 11;
+/// hug_open: the bytes do not begin with an arena's magic number.
+pub const HUG_ERROR_MAGIC: hug_status = 12;
+/// hug_open: the arena's format version is not this library's.
+pub const HUG_ERROR_VERSION: hug_status = 13;
+/// hug_open: the arena was written for a machine of other endianness.
+pub const HUG_ERROR_ENDIANNESS: hug_status = 14;
+/// hug_open: the arena contradicts itself.
+pub const HUG_ERROR_CORRUPT: hug_status = 15;
+/// A bug in hug: a panic was stopped at the boundary.
+pub const HUG_ERROR_INTERNAL: hug_status = 16;
+
+/// The id that names nothing, in hits and in a ray's skip_geom and skip_prim.
+pub const HUG_NONE: u32 = 0xffff_ffff;
+
+/// Which structure to build: HUG_STRUCTURE_*.
+pub type hug_structure = u32;
+/// Chosen from the triangles: a pure function of triangles and options.
+pub const HUG_STRUCTURE_AUTO: hug_structure = 0;
+/// One uniform grid.
+pub const HUG_STRUCTURE_UNIFORM: hug_structure = 1;
+/// A grid whose crowded voxels are grids again.
+pub const HUG_STRUCTURE_RECURSIVE: hug_structure = 2;
+/// A hierarchy of uniform grids over filtered, clustered triangles.
+pub const HUG_STRUCTURE_HUG: hug_structure = 3;
+
+/// How voxel counts follow from a grid's box: HUG_GRIDDING_*.
+pub type hug_gridding = u32;
+/// In proportion to the sides of the box.
+pub const HUG_GRIDDING_PROPORTIONAL: hug_gridding = 0;
+/// The same count along every axis, as in the paper.
+pub const HUG_GRIDDING_HOMOGENEOUS: hug_gridding = 1;
+
+/// What delta is a multiple of (Definition 2): HUG_DELTA_*.
+pub type hug_delta = u32;
+/// The middle of the level's interval of lengths.
+pub const HUG_DELTA_MIDPOINT: hug_delta = 0;
+/// The mean length of the level's objects.
+pub const HUG_DELTA_MEAN: hug_delta = 1;
+
+/// Which grids point to which: HUG_HIERARCHY_*.
+pub type hug_hierarchy = u32;
+/// A grid hangs under the smallest higher grid that contains it whole.
+pub const HUG_HIERARCHY_NESTED: hug_hierarchy = 0;
+/// A grid hangs under every higher grid that it intersects, as in the paper.
+pub const HUG_HIERARCHY_PAPER: hug_hierarchy = 1;
+
+/// The type of a geometry's indices: HUG_INDEX_*.
+pub type hug_index_type = u32;
+/// No indices: triangle i is vertices 3 i, 3 i + 1, 3 i + 2.
+pub const HUG_INDEX_NONE: hug_index_type = 0;
+/// uint16_t, three a triangle, packed.
+pub const HUG_INDEX_U16: hug_index_type = 1;
+/// uint32_t, three a triangle, packed.
+pub const HUG_INDEX_U32: hug_index_type = 2;
+
+/// hug_open flag: the bytes come from this library and are not checked.
+/// Damaged bytes then make queries undefined.
+pub const HUG_OPEN_TRUSTED: u32 = 1;
+
+/// Most levels of grids in a scene.
+pub const HUG_MAX_LEVELS: usize = 16;
+
+/// One geometry of a scene; its id is its place in the descriptor's list.
+/// The memory is read during the build only, never past the third coordinate
+/// of the last vertex.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_geometry {
+    /// x, y, z of the first vertex, aligned to 4. NULL only if vertex_count is 0.
+    pub vertices: *const f32,
+    /// Number of vertices.
+    pub vertex_count: usize,
+    /// Bytes from one vertex to the next: a multiple of 4, at least 12, or 0 for 12.
+    pub vertex_stride: usize,
+    /// Indices of index_type, aligned to their size. Ignored for HUG_INDEX_NONE.
+    pub indices: *const c_void,
+    /// Number of triangles.
+    pub triangle_count: usize,
+    /// HUG_INDEX_*.
+    pub index_type: hug_index_type,
+    /// A ray meets the geometry only if its mask shares a bit with this one. 0 means all bits.
+    pub mask: u32,
+}
+
+/// Allocates size bytes aligned to align (a power of two, at most 64), or returns NULL.
+pub type hug_alloc_fn =
+    Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
+/// Frees what hug_alloc_fn returned; size is the size it was asked for.
+pub type hug_free_fn =
+    Option<unsafe extern "C" fn(memory: *mut c_void, size: usize, user: *mut c_void)>;
+
+/// What to build, from which triangles, in whose memory. Zero it, set
+/// struct_size = sizeof(hug_build_desc), geometries and geometry_count; every
+/// other field may stay 0 for its default.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_build_desc {
+    /// sizeof(hug_build_desc).
+    pub struct_size: usize,
+    /// The geometries. NULL only if geometry_count is 0.
+    pub geometries: *const hug_geometry,
+    /// Number of geometries; 0 builds an empty scene.
+    pub geometry_count: usize,
+    /// HUG_STRUCTURE_*.
+    pub structure: hug_structure,
+    /// HUG_GRIDDING_*.
+    pub gridding: hug_gridding,
+    /// Voxels of the outermost grid along x, y, z, 1 to 2048 each; all 0 derive them from world_alpha.
+    pub counts: [u32; 3],
+    /// Voxels per axis and cube root of a grid's objects, 0.1 to 16. 0 means 1.
+    pub alpha: f32,
+    /// The same for the outermost grid. 0 means alpha, or sqrt(2) for the HUG.
+    pub world_alpha: f32,
+    /// Recursive grid: a voxel of more references becomes a grid. 0 means 50.
+    pub maxp: u32,
+    /// Recursive grid: most levels of grids, at most HUG_MAX_LEVELS. 0 means 8.
+    pub max_depth: u32,
+    /// HUG: levels of the filter when filter_thresholds is NULL: 2 (split at
+    /// filter_share of the largest length) or 3 (from the histogram of lengths).
+    /// 0 means 2. With thresholds: their number plus one.
+    pub filter_levels: u32,
+    /// HUG: the share that splits two levels, in (0, 1]. 0 means 0.05.
+    pub filter_share: f32,
+    /// HUG: filter_levels - 1 increasing lengths in the units of the scene, or NULL.
+    pub filter_thresholds: *const f32,
+    /// HUG: the connectivity coefficient alpha of Definition 2. 0 means 1.
+    pub connectivity: f32,
+    /// HUG: HUG_DELTA_*.
+    pub delta: hug_delta,
+    /// HUG: HUG_HIERARCHY_*.
+    pub hierarchy: hug_hierarchy,
+    /// HUG: a cluster of fewer triangles pops up into the world. 0 means 8.
+    pub min_cluster: u32,
+    /// Most references a grid may hold per object in it, up to 4096. 0 means 32.
+    pub max_refs: u32,
+    /// Must be 0.
+    pub reserved: u32,
+    /// hug_build only: the allocator, or both NULL for the default one.
+    pub alloc: hug_alloc_fn,
+    /// hug_build only: frees what alloc returned, also from hug_free.
+    pub free: hug_free_fn,
+    /// Passed to alloc and free.
+    pub user: *mut c_void,
+}
+
+/// A ray org + t dir, tmin <= t <= tmax. 48 bytes, aligned to 4.
+///
+/// dir need not be normalised; t is in units of its length. tmin and tmax may
+/// be infinite. NaN anywhere, a non-finite origin or direction, a zero
+/// direction or tmin > tmax make the ray miss.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_ray {
+    /// Origin, in the units of the scene.
+    pub org: [f32; 3],
+    /// Smallest t of a hit, inclusive.
+    pub tmin: f32,
+    /// Direction, of any non-zero length.
+    pub dir: [f32; 3],
+    /// Largest t of a hit, inclusive.
+    pub tmax: f32,
+    /// A geometry is met only if its mask shares a bit with this one.
+    pub mask: u32,
+    /// Reserved, must be 0.
+    pub flags: u32,
+    /// Geometry of the one triangle that the ray passes through, or HUG_NONE.
+    pub skip_geom: u32,
+    /// Primitive of the one triangle that the ray passes through, or HUG_NONE.
+    pub skip_prim: u32,
+}
+
+/// The closest hit. 40 bytes, aligned to 4.
+///
+/// The point is (1 - u - v) v0 + u v1 + v v2. A miss has
+/// geom = prim = inst = HUG_NONE, t = the ray's tmax, and zeros elsewhere.
+/// Of hits with equal t the one of lowest geom, then lowest prim, is returned.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_hit {
+    /// The exact parameter of the hit, rounded once to float.
+    pub t: f32,
+    /// Weight of v1, exact but for one rounding.
+    pub u: f32,
+    /// Weight of v2, exact but for one rounding.
+    pub v: f32,
+    /// (v1 - v0) x (v2 - v0), not normalised; infinite where it overflows float.
+    pub ng: [f32; 3],
+    /// Index of the geometry in the descriptor.
+    pub geom: u32,
+    /// Index of the triangle in its geometry.
+    pub prim: u32,
+    /// Reserved for instances; HUG_NONE.
+    pub inst: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What a query did, counted; the counted queries add to it.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_counters {
+    /// Grids whose box was tested (the paper's #bbi).
+    pub grids: u64,
+    /// Voxels traversed (#vt): the steps of the walk.
+    pub voxels: u64,
+    /// Ray-triangle tests (#pit), one per reference met.
+    pub tests: u64,
+    /// Tests that were hits within the ray's range (#pi).
+    pub hits: u64,
+}
+
+/// Section 3's statistics of one level of grids, or of all. "Objects" are
+/// distinct triangles; "references" repeat a triangle for each voxel.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_level_stats {
+    /// Distinct triangles referenced from this level (%obj).
+    pub objects: u64,
+    /// Grids (%grids).
+    pub grids: u64,
+    /// Voxels (%voxels).
+    pub voxels: u64,
+    /// Voxels that reference at least one triangle (%o).
+    pub object_voxels: u64,
+    /// Voxels that reference at least one grid (%g).
+    pub grid_voxels: u64,
+    /// References to triangles.
+    pub object_refs: u64,
+    /// References to grids; %ptrs counts both kinds.
+    pub grid_refs: u64,
+    /// Sum of the grids' volumes over the largest grid's volume (%vol / 100).
+    pub volume: f64,
+    /// Mean triangle references per voxel.
+    pub object_mean: f64,
+    /// Standard deviation of triangle references per voxel.
+    pub object_deviation: f64,
+    /// Mean triangle references per voxel that has any.
+    pub object_mean_filled: f64,
+    /// Standard deviation of triangle references per voxel that has any.
+    pub object_deviation_filled: f64,
+    /// Mean grid references per voxel.
+    pub grid_mean: f64,
+    /// Standard deviation of grid references per voxel.
+    pub grid_deviation: f64,
+    /// Mean grid references per voxel that has any.
+    pub grid_mean_filled: f64,
+    /// Standard deviation of grid references per voxel that has any.
+    pub grid_deviation_filled: f64,
+    /// Bytes of grids, voxels and references.
+    pub bytes: u64,
+}
+
+/// What a scene is made of. Set struct_size before the call.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_scene_stats {
+    /// sizeof(hug_scene_stats).
+    pub struct_size: usize,
+    /// The structure that was built; never HUG_STRUCTURE_AUTO.
+    pub structure: hug_structure,
+    /// Number of levels; 0 holds the deepest grids.
+    pub levels: u32,
+    /// Triangles in the scene.
+    pub triangles: u64,
+    /// Triangles left out of it for a coordinate that is not finite.
+    pub dropped_non_finite: u64,
+    /// Triangles left out of it for having no area.
+    pub dropped_degenerate: u64,
+    /// Voxels of the outermost grid.
+    pub counts: [u32; 3],
+    /// 0.
+    pub reserved: u32,
+    /// Bytes of the arena, whole.
+    pub bytes: u64,
+    /// Bytes of the triangles' section.
+    pub triangle_bytes: u64,
+    /// Bytes of the grids' section.
+    pub grid_bytes: u64,
+    /// Bytes of the voxels' section.
+    pub voxel_bytes: u64,
+    /// Bytes of the references' section.
+    pub ref_bytes: u64,
+    /// All levels together.
+    pub total: hug_level_stats,
+    /// Level by level.
+    pub level: [hug_level_stats; HUG_MAX_LEVELS],
+}
+
+const _: () = assert!(size_of::<hug_ray>() == size_of::<crate::Ray>());
+const _: () = assert!(size_of::<hug_hit>() == size_of::<crate::Hit>());

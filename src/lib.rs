@@ -1,0 +1,62 @@
+//! Exact, watertight ray intersection in bucket-like space partitioning
+//! structures, after Cazals & Puech, *Bucket-like Space Partitioning Data
+//! Structures with Applications to Ray-Tracing* (1997).
+//!
+//! A triangle soup becomes one flat block, the [arena](View), that holds a
+//! uniform grid, a recursive grid or a hierarchy of uniform grids. Queries on
+//! it never allocate, lock or call the operating system, and their results are
+//! those of real arithmetic, rounded once: all structures agree bit for bit.
+//!
+//! ```
+//! let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+//! let mesh = hug::Geometry::from_mesh(&vertices, &[[0, 1, 2]]);
+//! let scene = hug::Scene::build(&[mesh], &hug::Options::default())?;
+//! let hit = scene.view().intersect(&hug::Ray::new([0.2, 0.3, 1.0], [0.0, 0.0, -1.0]));
+//! assert_eq!((hit.t, hit.u, hit.v, hit.prim), (1.0, 0.2, 0.3, 0));
+//! # Ok::<(), hug::Error>(())
+//! ```
+//!
+//! Data flows one way: soup ([`Geometry`]), build passes ([`build`]), arena,
+//! walk, hit.
+#![no_std]
+#![deny(missing_docs, unsafe_op_in_unsafe_fn)]
+
+#[cfg(feature = "alloc")]
+extern crate alloc;
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+mod aabb;
+mod arena;
+pub mod build;
+#[cfg(feature = "capi")]
+#[allow(missing_docs)]
+pub mod capi;
+mod error;
+mod exact;
+mod geometry;
+mod math;
+mod options;
+mod ray;
+#[cfg(feature = "alloc")]
+mod scene;
+mod simd;
+mod stats;
+mod trace;
+mod triangle;
+
+pub use arena::View;
+pub use error::Error;
+pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
+pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Structure};
+pub use ray::{Hit, NONE, Ray};
+#[cfg(feature = "alloc")]
+pub use scene::Scene;
+pub use stats::{Level, Moments, Stats};
+pub use trace::Counters;
+
+#[cfg(feature = "panic-handler")]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}

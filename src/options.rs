@@ -1,0 +1,183 @@
+//! The parameters of a build, named as in the paper.
+//!
+//! The default of every field is the one to use unless a measurement says
+//! otherwise; a zeroed C descriptor means the same defaults.
+
+use crate::Error;
+
+/// Most levels a hierarchy can have: the depth of nested grids.
+pub const MAX_LEVELS: usize = 16;
+
+/// Which of the paper's three structures to build (section 1.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Structure {
+    /// Chosen from the triangles; a pure function of triangles and options.
+    #[default]
+    Auto = 0,
+    /// One uniform grid.
+    Uniform = 1,
+    /// A grid whose crowded voxels are grids again.
+    Recursive = 2,
+    /// A hierarchy of uniform grids over filtered, clustered triangles.
+    Hug = 3,
+}
+
+/// How a grid's voxel counts follow from its box and its number of objects.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Gridding {
+    /// In proportion to the box's sides (Klimaszewski & Sederberg 1997), so
+    /// that voxels are near cubes.
+    #[default]
+    Proportional = 0,
+    /// The same count along every axis, as in the paper.
+    Homogeneous = 1,
+}
+
+/// What `f_k` stands for in `delta_k = alpha * f_k` (Definition 2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Delta {
+    /// The middle of the level's interval of lengths, as in Definition 1.
+    #[default]
+    Midpoint = 0,
+    /// The mean length of the level's objects.
+    Mean = 1,
+}
+
+/// Which grids point to which (section 1.3, "the last step").
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Hierarchy {
+    /// A grid hangs under the smallest grid of the next higher level that
+    /// contains its whole box, else of the level above, at last the world.
+    #[default]
+    Nested = 0,
+    /// A grid hangs under every higher grid it intersects, and under the world
+    /// unless one of them contains it whole.
+    Paper = 1,
+}
+
+/// The filter of lengths of a hierarchy of uniform grids (Definition 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Filter {
+    /// Two levels split at this share of the largest length (section 7.1).
+    TwoLevels(f32),
+    /// Three levels, split where the logarithm of the lengths falls into three
+    /// classes of least variance (Otsu 1979 with two thresholds, 128 classes).
+    ThreeLevels,
+    /// The inner thresholds `f_2 < f_3 < ...`, in the units of the scene; the
+    /// first `count` of them are used.
+    Thresholds {
+        /// How many thresholds are set, one less than the number of levels.
+        count: usize,
+        /// The thresholds, strictly increasing, finite and positive.
+        at: [f32; MAX_LEVELS - 1],
+    },
+}
+
+impl Default for Filter {
+    fn default() -> Self {
+        Self::TwoLevels(0.05)
+    }
+}
+
+/// Everything a build can be told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Which structure to build.
+    pub structure: Structure,
+    /// How voxel counts follow from the box.
+    pub gridding: Gridding,
+    /// Voxel counts of the outermost grid along x, y, z, each at most 2048;
+    /// zeros derive them from `alpha` or `world_alpha`.
+    pub counts: [u32; 3],
+    /// Voxels per axis and cube root of the objects (the cube-root criterion):
+    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16].
+    pub alpha: f32,
+    /// The same for the outermost grid: 1 for the uniform and the recursive
+    /// grid, sqrt(2) for the HUG's world cluster unless set. In [0.1, 16].
+    pub world_alpha: Option<f32>,
+    /// Recursive grid: a voxel with more references than this becomes a grid.
+    pub maxp: u32,
+    /// Recursive grid: most levels of grids, 1 to [`MAX_LEVELS`].
+    pub max_depth: u32,
+    /// HUG: the filter of lengths.
+    pub filter: Filter,
+    /// HUG: the connectivity coefficient alpha of Definition 2. In (0, 1e6].
+    pub connectivity: f32,
+    /// HUG: what length delta is a multiple of.
+    pub delta: Delta,
+    /// HUG: which grids point to which.
+    pub hierarchy: Hierarchy,
+    /// HUG: a cluster of fewer objects pops up into the world. At least 1.
+    pub min_cluster: u32,
+    /// Most references a grid may hold per object in it, 1 to 4096. Grids whose
+    /// counts follow from alpha are made coarser until they keep to it, and
+    /// the recursive grid stops splitting; with `counts` the build fails.
+    pub max_refs: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            structure: Structure::Auto,
+            gridding: Gridding::Proportional,
+            counts: [0; 3],
+            alpha: 1.0,
+            world_alpha: None,
+            maxp: 50,
+            max_depth: 8,
+            filter: Filter::default(),
+            connectivity: 1.0,
+            delta: Delta::Midpoint,
+            hierarchy: Hierarchy::Nested,
+            min_cluster: 8,
+            max_refs: 32,
+        }
+    }
+}
+
+/// Largest voxel count along an axis.
+pub(crate) const MAX_COUNT: u32 = 2048;
+
+impl Options {
+    /// Whether every field is in its range.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] if one is not.
+    pub fn check(&self) -> Result<(), Error> {
+        let alpha = |a: f32| (0.1..=16.0).contains(&a);
+        let explicit = self.counts.iter().all(|&n| (1..=MAX_COUNT).contains(&n));
+        let filter = match self.filter {
+            Filter::TwoLevels(share) => share > 0.0 && share <= 1.0,
+            Filter::ThreeLevels => true,
+            Filter::Thresholds { count, at } => {
+                count < MAX_LEVELS
+                    && at[..count].iter().all(|f| f.is_finite() && *f > 0.0)
+                    && at[..count].is_sorted_by(|a, b| a < b)
+            }
+        };
+        let ok = (self.counts == [0; 3] || explicit)
+            && alpha(self.alpha)
+            && self.world_alpha.is_none_or(alpha)
+            && self.maxp >= 1
+            && (1..=MAX_LEVELS as u32).contains(&self.max_depth)
+            && filter
+            && self.connectivity > 0.0
+            && self.connectivity <= 1e6
+            && self.min_cluster >= 1
+            && (1..=4096).contains(&self.max_refs);
+        if ok { Ok(()) } else { Err(Error::InvalidValue) }
+    }
+
+    /// The alpha of the outermost grid.
+    pub(crate) fn outer_alpha(&self) -> f32 {
+        let default = match self.structure {
+            Structure::Auto | Structure::Hug => core::f32::consts::SQRT_2,
+            Structure::Uniform | Structure::Recursive => self.alpha,
+        };
+        self.world_alpha.unwrap_or(default)
+    }
+}

@@ -1,0 +1,110 @@
+//! Rays and hits: the frozen, 4-byte aligned records shared by Rust and C.
+
+use bytemuck::{Pod, Zeroable};
+
+/// The id that names nothing: no geometry, no primitive, no instance.
+pub const NONE: u32 = u32::MAX;
+
+/// A ray `org + t * dir` with `tmin <= t <= tmax`. 48 bytes, aligned to 4.
+///
+/// The direction need not be normalised; `t` is in units of its length.
+/// `tmin` and `tmax` may be infinite, and negative. A ray with a NaN anywhere,
+/// a non-finite origin or direction, a zero direction or `tmin > tmax` misses.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Ray {
+    /// Origin, in the units of the scene.
+    pub org: [f32; 3],
+    /// Smallest `t` of a hit, inclusive.
+    pub tmin: f32,
+    /// Direction, of any non-zero length.
+    pub dir: [f32; 3],
+    /// Largest `t` of a hit, inclusive.
+    pub tmax: f32,
+    /// A geometry is met only if this and its own mask share a bit.
+    pub mask: u32,
+    /// Reserved for culling modes; must be 0.
+    pub flags: u32,
+    /// Geometry id of the one triangle to pass through, or [`NONE`].
+    pub skip_geom: u32,
+    /// Primitive id of the one triangle to pass through, or [`NONE`].
+    pub skip_prim: u32,
+}
+
+impl Ray {
+    /// A ray that meets everything in front of its origin.
+    #[must_use]
+    pub const fn new(org: [f32; 3], dir: [f32; 3]) -> Self {
+        Self {
+            org,
+            tmin: 0.0,
+            dir,
+            tmax: f32::INFINITY,
+            mask: u32::MAX,
+            flags: 0,
+            skip_geom: NONE,
+            skip_prim: NONE,
+        }
+    }
+
+    /// The same ray limited to `tmin <= t <= tmax`.
+    #[must_use]
+    pub const fn with_range(mut self, tmin: f32, tmax: f32) -> Self {
+        self.tmin = tmin;
+        self.tmax = tmax;
+        self
+    }
+}
+
+/// What a closest-hit query found. 40 bytes, aligned to 4.
+///
+/// The point is `(1 - u - v) * v0 + u * v1 + v * v2`. A miss has
+/// `geom == prim == inst == NONE`, `t` equal to the ray's `tmax`, and zeros
+/// elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Hit {
+    /// The exact ray parameter of the hit, rounded once to `f32`.
+    pub t: f32,
+    /// Barycentric weight of `v1`, exact but for one rounding.
+    pub u: f32,
+    /// Barycentric weight of `v2`, exact but for one rounding.
+    pub v: f32,
+    /// `(v1 - v0) x (v2 - v0)`, not normalised; evaluated in `f64`, then rounded
+    /// (so it can overflow to infinity where edges are longer than about 1e19).
+    pub ng: [f32; 3],
+    /// Index of the geometry in the build's list.
+    pub geom: u32,
+    /// Index of the triangle in its geometry.
+    pub prim: u32,
+    /// Reserved for instances; always [`NONE`].
+    pub inst: u32,
+    /// Always 0.
+    pub reserved: u32,
+}
+
+impl Hit {
+    /// The record of a miss along a ray that ends at `tmax`.
+    #[must_use]
+    pub const fn miss(tmax: f32) -> Self {
+        Self {
+            t: tmax,
+            u: 0.0,
+            v: 0.0,
+            ng: [0.0; 3],
+            geom: NONE,
+            prim: NONE,
+            inst: NONE,
+            reserved: 0,
+        }
+    }
+
+    /// Whether a triangle was met.
+    #[must_use]
+    pub const fn is_hit(&self) -> bool {
+        self.geom != NONE
+    }
+}
+
+const _: () = assert!(size_of::<Ray>() == 48 && align_of::<Ray>() == 4);
+const _: () = assert!(size_of::<Hit>() == 40 && align_of::<Hit>() == 4);

@@ -1,0 +1,35 @@
+//! The easy door: a scene that owns its arena.
+
+use crate::arena::View;
+use crate::arena::block::Block;
+use crate::build::{measure, plan};
+use crate::{Error, Geometry, Options};
+
+/// A built scene. Queries are on its [`View`]; any number of threads can share it.
+#[derive(Clone)]
+pub struct Scene {
+    arena: Block,
+}
+
+impl Scene {
+    /// Builds a scene from triangles. Those with a coordinate that is not
+    /// finite, or without area, are dropped and counted ([`crate::Stats`]).
+    /// Cost: near linear in triangles and references.
+    ///
+    /// # Errors
+    /// As [`crate::build::plan`]; [`Error::OutOfMemory`].
+    pub fn build(soup: &[Geometry<'_>], options: &Options) -> Result<Self, Error> {
+        let sizes = measure(soup, options)?;
+        let mut scratch = Block::zeroed(sizes.scratch).ok_or(Error::OutOfMemory)?;
+        let plan = plan(soup, options, scratch.bytes_mut())?;
+        let mut arena = Block::zeroed(plan.arena_bytes()).ok_or(Error::OutOfMemory)?;
+        plan.write(arena.bytes_mut())?;
+        Ok(Self { arena })
+    }
+
+    /// The scene, ready for queries.
+    #[must_use]
+    pub fn view(&self) -> View<'_> {
+        self.arena.view()
+    }
+}

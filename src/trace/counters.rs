@@ -1,0 +1,43 @@
+//! What a walk counts, or does not.
+
+/// What queries did; a counted query adds to it. The same numbers on every
+/// machine and instruction set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Grids whose box was tested (the paper's #bbi).
+    pub grids: u64,
+    /// Voxels traversed (#vt).
+    pub voxels: u64,
+    /// Ray-triangle tests (#pit), one per reference met.
+    pub tests: u64,
+    /// Tests that met the triangle within the ray's range (#pi).
+    pub hits: u64,
+}
+
+/// Counts events, or compiles to nothing.
+pub(crate) trait Count {
+    fn grid(&mut self) {}
+    fn voxel(&mut self) {}
+    fn test(&mut self) {}
+    fn hit(&mut self) {}
+}
+
+/// Counts nothing.
+pub(crate) struct Uncounted;
+
+impl Count for Uncounted {}
+
+impl Count for Counters {
+    fn grid(&mut self) {
+        self.grids += 1;
+    }
+    fn voxel(&mut self) {
+        self.voxels += 1;
+    }
+    fn test(&mut self) {
+        self.tests += 1;
+    }
+    fn hit(&mut self) {
+        self.hits += 1;
+    }
+}

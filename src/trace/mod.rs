@@ -1,0 +1,13 @@
+//! Queries: one walk for all structures and all kinds of query.
+//!
+//! `walk` goes through grids, `local` prepares a ray for one grid, `rebase`
+//! does so for rays from very far away, `query` says what is looked for,
+//! `counters` what is counted.
+
+mod counters;
+mod local;
+mod query;
+mod rebase;
+mod walk;
+
+pub use counters::Counters;

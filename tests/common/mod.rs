@@ -1,0 +1,79 @@
+//! What the integration tests share: soups, configurations, bit comparison.
+#![allow(dead_code, missing_docs)]
+
+use hug::{Delta, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Ray, Scene, Structure};
+use hug_kit::{Bounds, Mesh, rays, soups};
+
+/// Every soup that the exactness tests run on, small enough for brute force.
+pub fn soups() -> Vec<(&'static str, Mesh)> {
+    let tangle = soups::tangle(1, 600);
+    vec![
+        ("empty", soups::empty()),
+        ("single", soups::single()),
+        ("slivers", soups::slivers(2, 500)),
+        ("stacked", soups::stacked(3, 300)),
+        ("lattice", soups::lattice(4, 600, 8)),
+        ("mixed scales", soups::mixed_scales(5, 500)),
+        ("tiny", soups::rescaled(&tangle, 1e-30)),
+        ("huge", soups::rescaled(&tangle, 1e30)),
+        ("tangle", tangle),
+        ("sphere", soups::bumpy_sphere(12, 1.0, [0.3, -0.2, 0.1]).mesh),
+        ("surface", soups::surface(800)),
+        ("clustered", soups::clustered(900)),
+    ]
+}
+
+/// Every structure, with the parameters that change what a walk meets.
+pub fn configurations() -> Vec<(&'static str, Options)> {
+    let base = Options { min_cluster: 2, ..Options::default() };
+    let of = |structure| Options { structure, ..base };
+    let hug = of(Structure::Hug);
+    let three = Options { filter: Filter::ThreeLevels, ..hug };
+    let mut at = [0.0; 15];
+    at[..3].copy_from_slice(&[0.02, 0.1, 0.4]);
+    vec![
+        ("auto", Options::default()),
+        ("g", of(Structure::Uniform)),
+        ("g homogeneous", Options { gridding: Gridding::Homogeneous, ..of(Structure::Uniform) }),
+        ("g 8", Options { counts: [8; 3], max_refs: 4096, ..of(Structure::Uniform) }),
+        ("g fine", Options { alpha: 3.0, max_refs: 256, ..of(Structure::Uniform) }),
+        ("r4", Options { maxp: 4, ..of(Structure::Recursive) }),
+        ("r1 deep", Options { maxp: 1, max_depth: 16, max_refs: 512, ..of(Structure::Recursive) }),
+        ("r50", of(Structure::Recursive)),
+        ("u.f2", hug),
+        ("u.f3", three),
+        ("u.f3 paper", Options { hierarchy: Hierarchy::Paper, min_cluster: 1, ..three }),
+        ("u.f3 mean", Options { delta: Delta::Mean, connectivity: 0.3, ..three }),
+        ("u.f4", Options { filter: Filter::Thresholds { count: 3, at }, min_cluster: 1, ..hug }),
+    ]
+}
+
+pub fn build(mesh: &Mesh, options: &Options) -> Scene {
+    let geometry = Geometry::from_mesh(&mesh.vertices, &mesh.indices);
+    Scene::build(&[geometry], options).expect("the soup is valid")
+}
+
+pub fn ray(r: &rays::Ray) -> Ray {
+    bytemuck::cast(*r)
+}
+
+/// All kinds of adversarial rays at a mesh, `n` of each kind.
+pub fn adversarial_rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<(rays::Aim, rays::Ray)> {
+    let unit = Bounds { lo: [0.0; 3], hi: [1.0; 3] };
+    let bounds = mesh.bounds().unwrap_or(unit);
+    let shoot = |aim| {
+        let rays = rays::adversarial(aim, mesh, &bounds, [8; 3], seed, n);
+        rays.into_iter().map(move |r| (aim, r))
+    };
+    rays::Aim::ALL.into_iter().flat_map(shoot).collect()
+}
+
+/// Asserts that two hits are the same to the last bit.
+#[track_caller]
+pub fn assert_same(found: &Hit, expected: &Hit, ray: &Ray, what: &dyn core::fmt::Display) {
+    let bits = |h: &Hit| bytemuck::cast::<Hit, [u32; 10]>(*h);
+    assert!(
+        bits(found) == bits(expected),
+        "{what}\nray      {ray:?}\nfound    {found:?}\nexpected {expected:?}"
+    );
+}
