@@ -20,29 +20,15 @@
 #include <stdint.h>
 
 /**
- * Alignment of an arena and of each of its sections, in bytes.
- */
-#define ALIGN 64
-
-/**
- * The format's version; any other is refused.
- */
-#define VERSION 1
-
-/**
- * Reads differently where the byte order is not the writer's.
- */
-#define BYTE_ORDER 16909060
-
-/**
- * Marks a reference to a grid; the other bits are the grid's or triangle's number.
- */
-#define GRID_BIT (1 << 31)
-
-/**
  * The id that names nothing, in hits and in a ray's skip_geom and skip_prim.
  */
 #define HUG_NONE 4294967295
+
+/**
+ * Build flag: no exit boxes, so that a step of the walk is one voxel, as in
+ * the paper. The hits are the same.
+ */
+#define HUG_BUILD_PLAIN_STEPS 1
 
 /**
  * hug_open flag: the bytes come from this library and are not checked.
@@ -54,21 +40,6 @@
  * Most levels of grids in a scene.
  */
 #define HUG_MAX_LEVELS 16
-
-/**
- * Largest number of triangles in a scene, over all geometries.
- */
-#define MAX_TRIANGLES ((1 << 31) - 1)
-
-/**
- * Most levels a hierarchy can have: the depth of nested grids.
- */
-#define MAX_LEVELS 16
-
-/**
- * The id that names nothing: no geometry, no primitive, no instance.
- */
-#define NONE UINT32_MAX
 
 /**
  * A built or opened scene. A pointer to one points at its arena's first byte.
@@ -232,9 +203,9 @@ typedef struct {
    */
   uint32_t max_refs;
   /**
-   * Must be 0.
+   * HUG_BUILD_* flags.
    */
-  uint32_t reserved;
+  uint32_t flags;
   /**
    * hug_build only: the allocator, or both NULL for the default one.
    */
@@ -826,6 +797,22 @@ const char *hug_version(void);
  * same number can use the library.
  */
 uint32_t hug_abi_version(void);
+
+/**
+ * The instruction set that queries run on: "avx2" or "portable", never NULL.
+ * Results do not depend on it.
+ */
+const char *hug_isa(void);
+
+/**
+ * Makes all queries of the process run on the instruction set of this name,
+ * for tests and comparisons. HUG_ERROR_INVALID_VALUE, and no change, if the
+ * name is unknown or the processor does not have it.
+ *
+ * # Safety
+ * name must be a string or NULL.
+ */
+hug_status hug_force_isa(const char *name);
 
 /**
  * A status in English, never NULL, also for numbers that are no status.

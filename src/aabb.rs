@@ -13,10 +13,7 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    pub const EMPTY: Self = Self {
-        lo: [f32::INFINITY; 3],
-        hi: [f32::NEG_INFINITY; 3],
-    };
+    pub const EMPTY: Self = Self { lo: [f32::INFINITY; 3], hi: [f32::NEG_INFINITY; 3] };
 
     pub fn of(points: &[[f32; 3]]) -> Self {
         let mut b = Self::EMPTY;

@@ -52,13 +52,7 @@ impl<'a> Geometry<'a> {
         if !corners.is_multiple_of(3) {
             return Err(Error::InvalidValue);
         }
-        Ok(Self {
-            coords,
-            stride,
-            vertices,
-            indices,
-            mask: u32::MAX,
-        })
+        Ok(Self { coords, stride, vertices, indices, mask: u32::MAX })
     }
 
     /// Packed vertices and 32-bit index triples, as meshes usually have them.
@@ -119,9 +113,7 @@ impl<'a> Geometry<'a> {
 pub(crate) fn count(soup: &[Geometry<'_>]) -> Result<usize, Error> {
     let mut n = 0usize;
     for geometry in soup {
-        n = n
-            .checked_add(geometry.triangle_count())
-            .ok_or(Error::Limit)?;
+        n = n.checked_add(geometry.triangle_count()).ok_or(Error::Limit)?;
     }
     if n > MAX_TRIANGLES || soup.len() > MAX_TRIANGLES {
         return Err(Error::Limit);

@@ -52,6 +52,7 @@ pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Struc
 pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;
+pub use simd::{Isa, force_isa, isa};
 pub use stats::{Level, Moments, Stats};
 pub use trace::Counters;
 

@@ -113,6 +113,10 @@ pub struct Options {
     pub hierarchy: Hierarchy,
     /// HUG: a cluster of fewer objects pops up into the world. At least 1.
     pub min_cluster: u32,
+    /// Whether voxels get exit boxes, which let a ray skip what holds nothing
+    /// new. Without them the walk is the plain 3-D DDA of the paper's time; the
+    /// hits are the same.
+    pub exit_boxes: bool,
     /// Most references a grid may hold per object in it, 1 to 4096. Grids whose
     /// counts follow from alpha are made coarser until they keep to it, and
     /// the recursive grid stops splitting; with `counts` the build fails.
@@ -134,6 +138,7 @@ impl Default for Options {
             delta: Delta::Midpoint,
             hierarchy: Hierarchy::Nested,
             min_cluster: 8,
+            exit_boxes: true,
             max_refs: 32,
         }
     }
@@ -170,6 +175,14 @@ impl Options {
             && self.min_cluster >= 1
             && (1..=4096).contains(&self.max_refs);
         if ok { Ok(()) } else { Err(Error::InvalidValue) }
+    }
+
+    /// These options with the structure that AUTO stands for.
+    pub(crate) fn resolved(&self) -> Self {
+        if self.structure != Structure::Auto {
+            return *self;
+        }
+        Self { structure: Structure::Recursive, maxp: 24, world_alpha: Some(1.26), ..*self }
     }
 
     /// The alpha of the outermost grid.

@@ -7,7 +7,7 @@
 //! per voxel are over references.
 
 use crate::arena::View;
-use crate::arena::layout::{GRID_BIT, Grid};
+use crate::arena::layout::{Grid, LIST_HEAD};
 use crate::options::{MAX_LEVELS, Structure};
 
 /// A mean and a standard deviation.
@@ -26,10 +26,7 @@ impl Moments {
         }
         let mean = sum as f64 / count as f64;
         let variance = (squares as f64 / count as f64 - mean * mean).max(0.0);
-        Self {
-            mean,
-            deviation: crate::math::sqrt(variance),
-        }
+        Self { mean, deviation: crate::math::sqrt(variance) }
     }
 }
 
@@ -87,11 +84,7 @@ impl Level {
     /// printed figures 14 and 17 show %obj / %grids instead).
     #[must_use]
     pub fn objects_per_grid(&self) -> f64 {
-        if self.grids == 0 {
-            0.0
-        } else {
-            self.objects as f64 / self.grids as f64
-        }
+        if self.grids == 0 { 0.0 } else { self.objects as f64 / self.grids as f64 }
     }
 
     fn add(&mut self, grid: &Grid, view: &View<'_>) {
@@ -99,12 +92,12 @@ impl Level {
         self.voxels += grid.voxels();
         self.volume += grid.extent.iter().product::<f64>();
         let first = grid.first as usize;
-        let mut refs = 0;
+        let mut words = grid.voxels();
         for voxel in first..first + grid.voxels() as usize {
-            let list = view.sections().refs(voxel);
-            let grids = list.iter().filter(|&&r| r & GRID_BIT != 0).count() as u64;
-            let objects = list.len() as u64 - grids;
-            refs += list.len();
+            let (objects, grids) = view.sections().counts(voxel);
+            if objects > 0 || grids > 1 {
+                words += LIST_HEAD as u64 + objects + grids;
+            }
             self.object_refs += objects;
             self.grid_refs += grids;
             self.object_voxels += u64::from(objects > 0);
@@ -112,7 +105,7 @@ impl Level {
             self.object_squares += u128::from(objects) * u128::from(objects);
             self.grid_squares += u128::from(grids) * u128::from(grids);
         }
-        self.bytes += size_of::<Grid>() as u64 + 4 * (grid.voxels() + refs as u64);
+        self.bytes += size_of::<Grid>() as u64 + 4 * words;
     }
 
     fn join(&mut self, other: &Self) {

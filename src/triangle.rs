@@ -9,18 +9,22 @@
 //! triangles, at any scale, as in Woop, Benthin & Wald (2013) but with no
 //! perturbation of the vertices.
 //!
-//! `f64` decides nearly always. Error bounds, with `e = 2^-53`, `m` the largest
-//! coordinate seen from the origin, `s` the sum of |dir|: a difference of two
-//! `f32` carries a relative error e, a product of two such 3e, a minor 4e of
-//! its two products (at most `2 m^2`), its product with `dir` and the two sums 3e
-//! more: `14 e m^2 s` for a determinant, `48 e m^3` for the height. Used are 16
-//! and 64. Magnitudes lie within 2^-450 and 2^400, so `f64` neither overflows
-//! nor loses bits to underflow. What the bounds leave open `exact` decides, so
-//! the result does not depend on the order of operations, on fused
-//! multiply-add, or on the instruction set.
+//! `f64` decides nearly always, on the edges `e1 = b - a`, `e2 = c - a` (Moeller &
+//! Trumbore 1997), whose smallness keeps the errors small. With e = 2^-53, a
+//! difference of two `f32` carries a relative error e; a product of three factors,
+//! two of them differences, 4e; the sum of six such products 3e more of its
+//! magnitudes. With s the sum of |dir| and m1, m2, m0 the largest coordinates of e1,
+//! e2 and `org - a`, the six products of a determinant sum up to at most `2 s m m`
+//! of the two m involved, of the height to `6 m0 m1 m2`: errors `14 e s m m` and
+//! `48 e m0 m1 m2`; used are 16 and 64. Magnitudes lie within 2^-450 and 2^400, so
+//! `f64` neither overflows nor loses bits to underflow. What the bounds leave open
+//! `exact` decides, so the result does not depend on the order of operations, on
+//! fused multiply-add, or on the instruction set.
 
-use crate::exact::Meeting;
+use crate::exact::Case;
 use crate::ray::Ray;
+
+use glam::DVec3;
 
 const E: f64 = 1.0 / (1u64 << 53) as f64;
 
@@ -29,22 +33,26 @@ const E: f64 = 1.0 / (1u64 << 53) as f64;
 pub struct Line {
     org: [f32; 3],
     dir: [f32; 3],
-    o: [f64; 3],
-    d: [f64; 3],
+    o: DVec3,
+    d: DVec3,
     /// Sum of the direction's magnitudes.
     s: f64,
     tmin: f32,
 }
 
-/// Where a line meets a triangle, in `f64` with error bounds.
+/// A number and a bound of its error.
+#[derive(Clone, Copy)]
+struct About {
+    value: f64,
+    error: f64,
+}
+
+/// Where a line meets a triangle: `u`, `v` and `t` are these over `det`.
 struct Estimate {
-    weight: [f64; 3],
-    det: f64,
-    height: f64,
-    /// Error bound of each weight.
-    weight_error: f64,
-    /// Error bound of the height.
-    height_error: f64,
+    u: About,
+    v: About,
+    height: About,
+    det: About,
 }
 
 enum Sides {
@@ -53,55 +61,36 @@ enum Sides {
     Unsure,
 }
 
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+fn double(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
 }
 
 impl Line {
     pub fn new(ray: &Ray) -> Self {
-        let d = ray.dir.map(f64::from);
+        let d = double(ray.dir);
         Self {
             org: ray.org,
             dir: ray.dir,
-            o: ray.org.map(f64::from),
+            o: double(ray.org),
             d,
-            s: d[0].abs() + d[1].abs() + d[2].abs(),
+            s: d.abs().element_sum(),
             tmin: ray.tmin,
         }
     }
 
     #[inline(always)]
     fn estimate(&self, triangle: &[[f32; 3]; 3]) -> Estimate {
-        let from = |v: &[f32; 3]| {
-            [
-                f64::from(v[0]) - self.o[0],
-                f64::from(v[1]) - self.o[1],
-                f64::from(v[2]) - self.o[2],
-            ]
-        };
-        let (a, b, c) = (from(&triangle[0]), from(&triangle[1]), from(&triangle[2]));
-        let largest = |v: &[f64; 3]| v[0].abs().max(v[1].abs()).max(v[2].abs());
-        let m = largest(&a).max(largest(&b)).max(largest(&c));
-        let bc = cross(&b, &c);
-        let weight = [
-            dot(&self.d, &bc),
-            dot(&self.d, &cross(&c, &a)),
-            dot(&self.d, &cross(&a, &b)),
-        ];
+        let [a, b, c] = triangle.map(double);
+        let (e1, e2, from) = (b - a, c - a, self.o - a);
+        let (p, q) = (self.d.cross(e2), from.cross(e1));
+        let (m0, m1, m2) =
+            (from.abs().max_element(), e1.abs().max_element(), e2.abs().max_element());
+        let bound = 16.0 * E * self.s;
         Estimate {
-            weight,
-            det: weight[0] + weight[1] + weight[2],
-            height: dot(&a, &bc),
-            weight_error: 16.0 * E * m * m * self.s,
-            height_error: 64.0 * E * m * m * m,
+            u: About { value: from.dot(p), error: bound * m0 * m2 },
+            v: About { value: self.d.dot(q), error: bound * m0 * m1 },
+            height: About { value: e2.dot(q), error: 64.0 * E * m0 * m1 * m2 },
+            det: About { value: e1.dot(p), error: bound * m1 * m2 },
         }
     }
 
@@ -112,7 +101,7 @@ impl Line {
         match near.sides() {
             Sides::Outside => None,
             Sides::Inside => {
-                let (low, high) = near.t();
+                let (low, high) = near.quotient(near.height);
                 if high < self.tmin || low > tmax {
                     None
                 } else if low.to_bits() == high.to_bits() {
@@ -128,12 +117,7 @@ impl Line {
     #[cold]
     #[inline(never)]
     fn meet_exactly(&self, triangle: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
-        let meeting = Meeting::new(&self.org, &self.dir, triangle);
-        if meeting.pierces() {
-            self.in_range(meeting.t(), tmax)
-        } else {
-            None
-        }
+        Case::new(&self.org, &self.dir, triangle).t().and_then(|t| self.in_range(t, tmax))
     }
 
     /// A `t` too large for `f32` is no hit: no ray could be ended there.
@@ -145,24 +129,30 @@ impl Line {
     /// that it is known to pierce.
     pub fn weights(&self, triangle: &[[f32; 3]; 3]) -> (f32, f32) {
         let near = self.estimate(triangle);
-        let ((u, u_high), (v, v_high)) = (near.weight(1), near.weight(2));
+        let ((u, u_high), (v, v_high)) = (near.quotient(near.u), near.quotient(near.v));
         if u.to_bits() == u_high.to_bits() && v.to_bits() == v_high.to_bits() {
             return (u, v);
         }
-        let meeting = Meeting::new(&self.org, &self.dir, triangle);
-        (meeting.weight(1), meeting.weight(2))
+        Case::new(&self.org, &self.dir, triangle).weights()
     }
 }
 
 impl Estimate {
     #[inline(always)]
     fn sides(&self) -> Sides {
-        let [a, b, c] = self.weight;
-        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        let e = self.weight_error;
-        if low < -e && high > e {
+        // The sign of det, for certain or not, is the one the weights must have.
+        let sign = 1.0f64.copysign(self.det.value);
+        let (u, v, det) = (sign * self.u.value, sign * self.v.value, self.det.value.abs());
+        let w = det - u - v;
+        // The two differences round by less than half of what det may be off,
+        // or of what u and v may: their sum bounds w's error, doubled for safety.
+        let w_error = 2.0 * (self.u.error + self.v.error + self.det.error)
+            + 4.0 * E * (det + u.abs() + v.abs());
+        if det <= self.det.error {
+            Sides::Unsure
+        } else if u < -self.u.error || v < -self.v.error || w < -w_error {
             Sides::Outside
-        } else if low > e || high < -e {
+        } else if u > self.u.error && v > self.v.error && w > w_error {
             Sides::Inside
         } else {
             Sides::Unsure
@@ -171,44 +161,30 @@ impl Estimate {
 
     /// `f32` bounds of `num / det`, equal when the rounding is certain.
     #[inline(always)]
-    fn quotient(&self, num: f64, num_error: f64) -> (f32, f32) {
-        // Three determinants and two sums: below 4 of their bounds.
-        let det_error = 4.0 * self.weight_error;
-        let q = num / self.det;
-        let room = self.det.abs() - det_error;
+    fn quotient(&self, num: About) -> (f32, f32) {
+        let q = num.value / self.det.value;
+        let room = self.det.value.abs() - self.det.error;
         if room <= 0.0 {
             return (f32::NEG_INFINITY, f32::INFINITY);
         }
-        let error = (num_error + q.abs() * det_error) / room * (1.0 + 1e-6) + q.abs() * (4.0 * E);
+        let error =
+            (num.error + q.abs() * self.det.error) / room * (1.0 + 1e-6) + q.abs() * (4.0 * E);
         // Adding +0 turns -0 into +0 and changes nothing else.
         ((q - error) as f32 + 0.0, (q + error) as f32 + 0.0)
-    }
-
-    #[inline(always)]
-    fn t(&self) -> (f32, f32) {
-        self.quotient(self.height, self.height_error)
-    }
-
-    #[inline(always)]
-    fn weight(&self, k: usize) -> (f32, f32) {
-        self.quotient(self.weight[k], self.weight_error)
     }
 }
 
 /// `(v1 - v0) x (v2 - v0)` in `f64`, then rounded.
 pub fn normal(triangle: &[[f32; 3]; 3]) -> [f32; 3] {
-    let [a, b, c] = triangle.map(|v| v.map(f64::from));
-    let e1 = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    let e2 = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-    cross(&e1, &e2).map(|n| n as f32)
+    let [a, b, c] = triangle.map(double);
+    (b - a).cross(c - a).to_array().map(|n| n as f32)
 }
 
 /// Whether the triangle has no area, exactly.
 pub fn degenerate(triangle: &[[f32; 3]; 3]) -> bool {
-    let [a, b, c] = triangle.map(|v| v.map(f64::from));
-    let e1 = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    let e2 = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-    let m = e1.iter().chain(&e2).fold(0.0f64, |m, x| m.max(x.abs()));
-    let certain = cross(&e1, &e2).iter().any(|n| n.abs() > 16.0 * E * m * m);
+    let [a, b, c] = triangle.map(double);
+    let (e1, e2) = (b - a, c - a);
+    let m = e1.abs().max_element() * e2.abs().max_element();
+    let certain = e1.cross(e2).abs().max_element() > 16.0 * E * m;
     !certain && crate::exact::degenerate(triangle)
 }

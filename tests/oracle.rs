@@ -43,7 +43,11 @@ fn brute_force_agrees_with_exact_arithmetic() {
                 hits += 1;
                 assert_eq!((found.geom, found.prim), (exact.geom, exact.prim), "{what}");
                 let bits = [found.t, found.u, found.v].map(f32::to_bits);
-                assert_eq!(bits, [exact.hit.t, exact.hit.u, exact.hit.v].map(f32::to_bits), "{what}");
+                assert_eq!(
+                    bits,
+                    [exact.hit.t, exact.hit.u, exact.hit.v].map(f32::to_bits),
+                    "{what}"
+                );
             }
         }
         assert!(hits > 0 || mesh.indices.is_empty(), "{soup}: no ray hit anything");

@@ -18,9 +18,7 @@ pub struct Block(Vec<Line>);
 impl Block {
     /// `bytes` rounded up to whole lines, or `None` if there is no memory.
     pub fn zeroed(bytes: usize) -> Option<Self> {
-        bytemuck::allocation::try_zeroed_vec(bytes.div_ceil(64))
-            .ok()
-            .map(Self)
+        bytemuck::allocation::try_zeroed_vec(bytes.div_ceil(64)).ok().map(Self)
     }
 
     pub fn bytes(&self) -> &[u8] {

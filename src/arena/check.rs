@@ -5,7 +5,8 @@
 //! grids of lower level, whose numbers of entries (`walks`) add up.
 
 use super::layout::{
-    ALIGN, BYTE_ORDER, GRID_BIT, Grid, Header, MAGIC, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, EMPTY, EXIT_BITS, EXIT_MAX, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD,
+    MAGIC, PAYLOAD, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::Error;
 use crate::options::{MAX_COUNT, MAX_LEVELS};
@@ -49,12 +50,7 @@ fn require(ok: bool) -> Result<(), Error> {
 /// Checks everything.
 pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let h = header(bytes)?;
-    let counts = (
-        h.grids.count,
-        h.voxels.count,
-        h.refs.count,
-        h.triangles.count,
-    );
+    let counts = (h.grids.count, h.voxels.count, h.refs.count, h.triangles.count);
     let (expected, size) =
         sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Corrupt)?;
     require(expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes)?;
@@ -67,31 +63,24 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let refs: &[u32] = section(bytes, h.refs.offset, counts.2)?;
     let triangles: &[Triangle] = section(bytes, h.triangles.offset, counts.3)?;
     require(grids.is_empty() == triangles.is_empty())?;
-    require(
-        triangles
-            .iter()
-            .all(|t| t.corners.as_flattened().iter().all(|x| x.is_finite())),
-    )?;
+    require(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
     if grids.is_empty() {
         return require(voxels.is_empty() && refs.is_empty());
     }
-    let mut next = 0u64;
+    let (mut next, mut end) = (0u64, 0);
     for (i, grid) in grids.iter().enumerate() {
         require(u64::from(grid.first) == next && frame(grid))?;
-        require(grid.level < h.levels && grid.reserved == [0; 2])?;
+        require(grid.level < h.levels && grid.zero.to_bits() == 0)?;
         next += grid.voxels();
-        require(next < counts.1)?;
-        lists(i, grid, grids, voxels, refs, counts.3)?;
+        require(next <= counts.1)?;
+        end = lists(i, grid, grids, voxels, (refs, end), counts.3)?;
     }
-    require(next + 1 == counts.1 && voxels[0] == 0)?;
-    require(voxels[next as usize] as usize == refs.len())
+    require(next == counts.1 && end == refs.len())
 }
 
 fn section<T: bytemuck::Pod>(bytes: &[u8], offset: u64, count: u64) -> Result<&[T], Error> {
     let start = usize::try_from(offset).map_err(|_| Error::Corrupt)?;
-    let len = (count as usize)
-        .checked_mul(size_of::<T>())
-        .ok_or(Error::Corrupt)?;
+    let len = (count as usize).checked_mul(size_of::<T>()).ok_or(Error::Corrupt)?;
     let end = start.checked_add(len).ok_or(Error::Corrupt)?;
     let part = bytes.get(start..end).ok_or(Error::Corrupt)?;
     bytemuck::try_cast_slice(part).map_err(|_| Error::Corrupt)
@@ -109,35 +98,61 @@ fn frame(grid: &Grid) -> bool {
     })
 }
 
-/// The lists of a grid's voxels: in order, without repetition, and down only.
+/// The voxels of a grid: exit boxes inside it, lists one after the other from
+/// `end` on, in order, without repetition, and down only. Returns the new end.
 fn lists(
     number: usize,
     grid: &Grid,
     grids: &[Grid],
     voxels: &[u32],
-    refs: &[u32],
+    (refs, mut end): (&[u32], usize),
     triangles: u64,
-) -> Result<(), Error> {
-    let (first, count) = (grid.first as usize, grid.voxels() as usize);
+) -> Result<usize, Error> {
+    let below = |child: u32| -> Result<u64, Error> {
+        let child = child as usize;
+        require(child > number)?;
+        let child = grids.get(child).ok_or(Error::Corrupt)?;
+        require(child.level < grid.level)?;
+        Ok(u64::from(child.walks))
+    };
     let mut most = 0u64;
-    for pair in voxels[first..=first + count].windows(2) {
-        let list = refs
-            .get(pair[0] as usize..pair[1] as usize)
-            .ok_or(Error::Corrupt)?;
-        require(list.is_sorted_by(|a, b| a < b))?;
-        let mut walks = 0u64;
-        for &r in list {
-            if r & GRID_BIT == 0 {
-                require(u64::from(r) < triangles)?;
-            } else {
-                let child = (r & !GRID_BIT) as usize;
-                require(child > number)?;
-                let child = grids.get(child).ok_or(Error::Corrupt)?;
-                require(child.level < grid.level)?;
-                walks += u64::from(child.walks);
+    let [nx, ny, nz] = grid.n;
+    let mut voxel = voxels[grid.first as usize..].iter();
+    let cells = (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
+    for (at, &word) in cells.zip(&mut voxel) {
+        let payload = word & PAYLOAD;
+        let mut walks = 0;
+        match word >> TAG_SHIFT {
+            EMPTY => require(exit_inside(payload, at, grid))?,
+            GRID => walks = below(payload)?,
+            LIST => {
+                require(payload as usize == end)?;
+                let head = refs.get(end..end + LIST_HEAD).ok_or(Error::Corrupt)?;
+                require(exit_inside(head[0], at, grid))?;
+                let rest = &refs[end + LIST_HEAD..];
+                let list = rest.get(..head[1] as usize).ok_or(Error::Corrupt)?;
+                require(list.is_sorted_by(|a, b| a < b))?;
+                for &r in list {
+                    if r & GRID_BIT == 0 {
+                        require(u64::from(r) < triangles)?;
+                    } else {
+                        walks += below(r & !GRID_BIT)?;
+                    }
+                }
+                end += LIST_HEAD + list.len();
             }
+            _ => require(false)?,
         }
         most = most.max(walks);
     }
-    require(u64::from(grid.walks) == most + 1)
+    require(u64::from(grid.walks) == most + 1)?;
+    Ok(end)
+}
+
+fn exit_inside(word: u32, at: [u32; 3], grid: &Grid) -> bool {
+    word >> TAG_SHIFT == 0
+        && (0..3).all(|k| {
+            let reach = |side: usize| word >> ((2 * k + side) as u32 * EXIT_BITS) & EXIT_MAX;
+            reach(0) <= at[k] && at[k] + reach(1) < grid.n[k]
+        })
 }

@@ -21,6 +21,28 @@ pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
 pub const GRID_BIT: u32 = 1 << 31;
 
+/// The two top bits of a voxel say what its 30 others are.
+pub const TAG_SHIFT: u32 = 30;
+/// The other bits.
+pub const PAYLOAD: u32 = (1 << TAG_SHIFT) - 1;
+/// Nothing here: the payload is the voxel's exit box.
+pub const EMPTY: u32 = 0;
+/// The payload is where the voxel's list starts in the references' section: a
+/// word with the exit box, one with the number of references, then these,
+/// ascending: triangles first, then grids.
+pub const LIST: u32 = 1;
+/// One grid and nothing else: the payload is its number.
+pub const GRID: u32 = 2;
+/// Words of a list before its references.
+pub const LIST_HEAD: usize = 2;
+
+/// An exit box: how many voxels it reaches beyond its own in -x, +x, -y, +y,
+/// -z, +z, five bits each. No voxel in it refers to anything that its own
+/// voxel does not refer to.
+pub const EXIT_BITS: u32 = 5;
+/// Largest reach of an exit box.
+pub const EXIT_MAX: u32 = (1 << EXIT_BITS) - 1;
+
 /// Where a section lies and how many records it has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -45,8 +67,9 @@ pub struct Header {
     /// Number of levels, 1 to 16; 0 for an empty scene.
     pub levels: u32,
     pub grids: Section,
-    /// One first reference a voxel, and one more for the end of the last.
+    /// One word a voxel, see [`EMPTY`], [`LIST`] and [`GRID`].
     pub voxels: Section,
+    /// The voxels' lists, in the order of the voxels.
     pub refs: Section,
     pub triangles: Section,
     /// Triangles of the soup left out for a coordinate that is not finite.
@@ -68,12 +91,14 @@ pub struct Header {
 pub struct Grid {
     /// Lowest corner of the box.
     pub lo: [f64; 3],
+    /// Sides of the box, `n * cell`.
+    pub extent: [f64; 3],
     /// Sides of a voxel.
     pub cell: [f64; 3],
     /// `1 / cell`.
     pub inv_cell: [f64; 3],
-    /// Sides of the box, `n * cell`.
-    pub extent: [f64; 3],
+    /// 0: the fourth lane of a load of `inv_cell`.
+    pub zero: f64,
     /// Voxels along each axis, 1 to 2048.
     pub n: [u32; 3],
     /// Level of the hierarchy; 0 is the deepest.
@@ -83,17 +108,30 @@ pub struct Grid {
     /// 1 plus the largest sum of `walks` over the grids of one voxel: how often
     /// a ray can enter grids while it is in one voxel of this one, plus 1.
     pub walks: u32,
-    pub reserved: [u32; 2],
 }
 
-/// A triangle with its ids and its geometry's mask.
+/// A triangle, coordinate by coordinate so that one load brings the three
+/// corners' x; ids and mask fill the fourth lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C)]
+#[repr(C, align(16))]
 pub struct Triangle {
-    pub corners: [[f32; 3]; 3],
+    pub x: [f32; 3],
     pub geom: u32,
+    pub y: [f32; 3],
     pub prim: u32,
+    pub z: [f32; 3],
     pub mask: u32,
+}
+
+impl Triangle {
+    pub fn new(corners: &[[f32; 3]; 3], geom: u32, prim: u32, mask: u32) -> Self {
+        let [x, y, z] = [0, 1, 2].map(|k| corners.map(|c| c[k]));
+        Self { x, geom, y, prim, z, mask }
+    }
+
+    pub fn corners(&self) -> [[f32; 3]; 3] {
+        [0, 1, 2].map(|i| [self.x[i], self.y[i], self.z[i]])
+    }
 }
 
 const _: () = assert!(size_of::<Header>() == 256);
@@ -101,6 +139,14 @@ const _: () = assert!(size_of::<Grid>() == 128);
 const _: () = assert!(size_of::<Triangle>() == 48);
 
 impl Grid {
+    /// Four numbers from each of `lo`, `extent`, `cell`, `inv_cell`; the fourth
+    /// ones are positive or zero, and mean nothing.
+    #[inline(always)]
+    pub fn lanes(&self) -> [[f64; 4]; 4] {
+        let f: &[f64; 16] = bytemuck::cast_ref(self);
+        [0, 3, 6, 9].map(|i| [f[i], f[i + 1], f[i + 2], f[i + 3]])
+    }
+
     /// Number of voxels; no overflow for counts in range.
     pub fn voxels(&self) -> u64 {
         self.n.iter().map(|&n| u64::from(n)).product()

@@ -4,14 +4,16 @@
 //! A `View` exists only over bytes that [`View::open`] found consistent, that
 //! the build wrote, or that a caller of the unsafe constructors vouches for.
 //! Consistent means (see `check`): every voxel number of a grid lies in the
-//! voxels' section, which has one entry more; those entries do not decrease and
-//! end at the number of references; every reference names an existing triangle
-//! or a later grid. The accessors below rely on it instead of testing bounds.
+//! voxels' section; every voxel's list lies in the references' section; every
+//! reference names an existing triangle or a later grid; exit boxes lie in their
+//! grids. The accessors below rely on it instead of testing bounds.
 
 use core::marker::PhantomData;
 
 use super::check;
-use super::layout::{Grid, Header, Section, Triangle};
+use super::layout::{
+    GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
+};
 use crate::Error;
 
 /// A scene in borrowed memory: an arena ready for queries. Copying it is free.
@@ -35,10 +37,7 @@ impl<'a> View<'a> {
     /// is wrong with them.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
         check::check(bytes)?;
-        Ok(Self {
-            base: bytes.as_ptr(),
-            marker: PhantomData,
-        })
+        Ok(Self { base: bytes.as_ptr(), marker: PhantomData })
     }
 
     /// Reads bytes that are known to be an arena, without looking at them.
@@ -47,10 +46,7 @@ impl<'a> View<'a> {
     /// The bytes must be an arena that a build wrote, aligned to 64.
     #[must_use]
     pub unsafe fn open_trusted(bytes: &'a [u8]) -> Self {
-        Self {
-            base: bytes.as_ptr(),
-            marker: PhantomData,
-        }
+        Self { base: bytes.as_ptr(), marker: PhantomData }
     }
 
     /// The view of an arena that starts at `base`.
@@ -59,10 +55,7 @@ impl<'a> View<'a> {
     /// As [`View::open_trusted`], for as long as `'a`.
     #[cfg(feature = "capi")]
     pub(crate) unsafe fn from_ptr(base: *const u8) -> Self {
-        Self {
-            base,
-            marker: PhantomData,
-        }
+        Self { base, marker: PhantomData }
     }
 
     /// The arena's bytes, to be saved or copied.
@@ -135,13 +128,34 @@ impl<'a> Sections<'a> {
         unsafe { &*self.grids.add(i as usize) }
     }
 
-    /// The references of voxel number `i` of some grid.
+    /// Voxel number `i` of some grid.
     #[inline(always)]
-    pub fn refs(&self, i: usize) -> &'a [u32] {
+    pub fn voxel(&self, i: usize) -> u32 {
+        // SAFETY: see the module.
+        unsafe { *self.voxels.add(i) }
+    }
+
+    /// The exit box and the references of the list at `offset`, a voxel's payload.
+    #[inline(always)]
+    pub fn list(&self, offset: u32) -> (u32, &'a [u32]) {
         // SAFETY: see the module.
         unsafe {
-            let (start, end) = (*self.voxels.add(i), *self.voxels.add(i + 1));
-            core::slice::from_raw_parts(self.refs.add(start as usize), (end - start) as usize)
+            let head = self.refs.add(offset as usize);
+            (*head, core::slice::from_raw_parts(head.add(LIST_HEAD), *head.add(1) as usize))
+        }
+    }
+
+    /// How many triangles and how many grids voxel number `i` refers to.
+    pub fn counts(&self, i: usize) -> (u64, u64) {
+        let voxel = self.voxel(i);
+        match voxel >> TAG_SHIFT {
+            LIST => {
+                let (_, refs) = self.list(voxel & PAYLOAD);
+                let grids = refs.iter().filter(|&&r| r & GRID_BIT != 0).count();
+                ((refs.len() - grids) as u64, grids as u64)
+            }
+            GRID => (0, 1),
+            _ => (0, 0),
         }
     }
 

@@ -1,7 +1,7 @@
 //! How much memory a build can need: a function of counts alone.
 //!
 //! For n triangles, G grids, V voxels and R references the scratch memory is
-//! about `93 n + 152 G + 8 V + 4 R` bytes and the arena `48 n + 128 G + 4 V + 4 R`.
+//! about `93 n + 152 G + 16 V + 4 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
@@ -30,6 +30,8 @@ pub struct Capacity {
     pub refs: usize,
     /// Pairs of a grid and a grid that points to it.
     pub links: usize,
+    /// Entries of the table that exit boxes are grown with.
+    pub table: usize,
 }
 
 /// Voxels that a grid over `objects` objects can have with `alpha`: rounding
@@ -45,11 +47,7 @@ impl Capacity {
         let per_object = f64::from(options.max_refs);
         let hug = matches!(options.structure, Structure::Auto | Structure::Hug);
         let recursive = options.structure == Structure::Recursive;
-        let links = if hug {
-            4.0 * n / f64::from(options.min_cluster) + 1.0
-        } else {
-            0.0
-        };
+        let links = if hug { 4.0 * n / f64::from(options.min_cluster) + 1.0 } else { 0.0 };
         let explicit: u64 = options.counts.iter().map(|&c| u64::from(c)).product();
         let outer = (explicit as f64).max(voxels(options.outer_alpha(), n + links));
         let (mut inner, mut refs) = (0.0, per_object * (n + links));
@@ -60,7 +58,7 @@ impl Capacity {
             // Voxels and references of grids below, replaced lists included.
             inner = 2.0 * voxels(options.alpha, n);
             refs *= 2.0;
-            grids += refs / f64::from(options.maxp + 1);
+            grids += refs / (f64::from(options.maxp) + 1.0);
         }
         let whole = |x: f64| (x.min(f64::from(u32::MAX - 1))) as usize + 1;
         let none = triangles == 0;
@@ -70,11 +68,19 @@ impl Capacity {
             voxels: if none { 0 } else { whole(outer + inner) },
             refs: if none { 0 } else { whole(refs) },
             links: if none { 0 } else { whole(links) },
+            // A grid of n voxels takes up to 8 n, large ones little more than n;
+            // where it does not fit, the grid goes without exit boxes.
+            table: if none || !options.exit_boxes {
+                0
+            } else {
+                whole(2.0 * (outer + inner) + 64.0)
+            },
         }
     }
 
     pub fn sizes(&self) -> Result<Sizes, Error> {
-        let counts = [self.grids, self.voxels + 1, self.refs, self.triangles].map(|c| c as u64);
+        // A list has two words besides its references, and at least one of these.
+        let counts = [self.grids, self.voxels, 3 * self.refs, self.triangles].map(|c| c as u64);
         let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3])?;
         let records = [
             (self.triangles, size_of::<Triangle>() + size_of::<Aabb>()),
@@ -86,6 +92,7 @@ impl Capacity {
             (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
             (self.links, size_of::<[u32; 2]>()),
             (self.voxels, size_of::<Span>()),
+            (self.table, 4),
             (self.refs, 4),
         ];
         // Room to align each slice.
@@ -96,13 +103,8 @@ impl Capacity {
                 .and_then(|bytes| bytes.checked_add(scratch))
                 .ok_or(Error::Overflow)?;
         }
-        let scratch = scratch
-            .checked_next_multiple_of(64)
-            .ok_or(Error::Overflow)?;
+        let scratch = scratch.checked_next_multiple_of(64).ok_or(Error::Overflow)?;
         isize::try_from(scratch).map_err(|_| Error::Overflow)?;
-        Ok(Sizes {
-            arena: arena as usize,
-            scratch,
-        })
+        Ok(Sizes { arena: arena as usize, scratch })
     }
 }

@@ -40,11 +40,7 @@ pub fn cluster(
     }
     let mut waiting = 0;
     let push = |parts: &mut [Part], waiting: &mut usize, start: usize, end: usize, state: u32| {
-        parts[*waiting] = Part {
-            start: start as u32,
-            end: end as u32,
-            state,
-        };
+        parts[*waiting] = Part { start: start as u32, end: end as u32, state };
         *waiting += 1;
     };
     push(parts, &mut waiting, 0, order.len(), 0);
@@ -68,23 +64,14 @@ pub fn cluster(
         for i in start..end {
             let b = &boxes[order[i] as usize];
             if i > run && f64::from(b.lo[k]) - reach >= delta {
-                push(
-                    parts,
-                    &mut waiting,
-                    run,
-                    i,
-                    next_axis | 1 << 8 | (cuts + 1) << 16,
-                );
+                push(parts, &mut waiting, run, i, next_axis | 1 << 8 | (cuts + 1) << 16);
                 run = i;
             }
             reach = reach.max(f64::from(b.hi[k]));
         }
         let whole = run == start;
-        let state = if whole {
-            (connected + 1) << 8 | cuts << 16
-        } else {
-            1 << 8 | (cuts + 1) << 16
-        };
+        let state =
+            if whole { (connected + 1) << 8 | cuts << 16 } else { 1 << 8 | (cuts + 1) << 16 };
         push(parts, &mut waiting, run, end, next_axis | state);
     }
 }

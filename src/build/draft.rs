@@ -84,15 +84,21 @@ impl<'s> Draft<'s> {
     }
 
     pub fn mark(&self) -> Mark {
-        Mark {
-            grids: self.grids,
-            spans: self.spans,
-            refs: self.refs,
-        }
+        Mark { grids: self.grids, spans: self.spans, refs: self.refs }
     }
 
     pub fn back_to(&mut self, mark: Mark) {
         (self.grids, self.spans, self.refs) = (mark.grids, mark.spans, mark.refs);
+    }
+
+    /// References added since `mark`.
+    pub fn refs_since(&self, mark: Mark) -> usize {
+        self.refs - mark.refs
+    }
+
+    /// Most references there can be.
+    pub fn capacity(&self) -> usize {
+        self.ref_memory.len()
     }
 
     /// Adds a grid without voxels; returns its number.
@@ -172,28 +178,36 @@ fn sort(
     crowded: Crowded,
 ) -> Result<(usize, usize), Error> {
     let budget = objects.len().saturating_mul(max_refs as usize);
+    // Objects whose boxes fill the grid cost time even where they leave no
+    // references.
+    let work = if crowded == Crowded::Fail { usize::MAX } else { budget.saturating_mul(4) };
     loop {
         grids[number].first = first_span as u32;
         let grid = grids[number];
-        let spans = spans
-            .get_mut(..grid.voxels() as usize)
-            .ok_or(Error::Limit)?;
+        let spans = spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
         spans.fill(Span::default());
-        let mut total = 0;
+        let (mut total, mut rows, mut seen) = (0, 0, 0);
         for &object in objects {
-            each(soup, grids, &grid, object, |voxel| {
+            rows += each(soup, grids, &grid, object, |voxel| {
                 spans[voxel].count += 1;
                 total += 1;
             });
-            if total > budget {
+            seen += 1;
+            if total > budget || rows > work {
                 break;
             }
         }
-        if total > budget {
+        if total > budget || rows > work {
             if crowded == Crowded::Fail || grid.n == [1; 3] {
                 return Err(Error::Limit);
             }
+            // Half the counts leave a flat object a quarter of its references.
+            let mut excess = objects.len() / seen;
             grids[number] = grid.coarser();
+            while excess >= 4 && grids[number].n != [1; 3] {
+                grids[number] = grids[number].coarser();
+                excess /= 4;
+            }
             continue;
         }
         let refs = refs.get_mut(..total).ok_or(Error::Limit)?;
@@ -217,13 +231,22 @@ fn sort(
     }
 }
 
-/// The voxels of `grid` that an object meets.
+/// The voxels of `grid` that an object meets; returns the rows looked at.
 #[inline(always)]
-fn each(soup: &Soup<'_>, grids: &[Grid], grid: &Grid, object: u32, visit: impl FnMut(usize)) {
+fn each(
+    soup: &Soup<'_>,
+    grids: &[Grid],
+    grid: &Grid,
+    object: u32,
+    visit: impl FnMut(usize),
+) -> usize {
     if object & GRID_BIT == 0 {
         let i = object as usize;
-        voxels(&soup.triangles[i], &soup.boxes[i], grid, visit);
+        voxels(&soup.triangles[i], &soup.boxes[i], grid, visit)
     } else if let Some(range) = Range::of_grid(grid, &grids[(object & !GRID_BIT) as usize]) {
         range.each(grid, visit);
+        range.rows()
+    } else {
+        1
     }
 }

@@ -22,10 +22,7 @@ impl Levels {
             low = low.min(length);
             high = high.max(length);
         }
-        let mut levels = Self {
-            bounds: [high; MAX_LEVELS + 1],
-            count: 1,
-        };
+        let mut levels = Self { bounds: [high; MAX_LEVELS + 1], count: 1 };
         levels.bounds[0] = low;
         match filter {
             Filter::TwoLevels(share) => levels.cut(f64::from(*share) * high),
@@ -56,10 +53,7 @@ impl Levels {
 
     /// The level of an object of this length: level k holds `[f_k, f_{k+1})`.
     pub fn of(&self, length: f64) -> usize {
-        self.bounds[1..self.count]
-            .iter()
-            .filter(|&&f| length >= f)
-            .count()
+        self.bounds[1..self.count].iter().filter(|&&f| length >= f).count()
     }
 
     /// The middle of a level's interval, Definition 1's average length.
@@ -101,10 +95,7 @@ fn otsu(boxes: &[Aabb], low: f64, high: f64) -> [f64; 2] {
     }
     // Back from a class's lower bound to the shortest length in it or above.
     at.map(|bound| {
-        let lengths = boxes
-            .iter()
-            .map(Aabb::diagonal)
-            .filter(|&d| class(d) >= bound);
+        let lengths = boxes.iter().map(Aabb::diagonal).filter(|&d| class(d) >= bound);
         lengths.fold(high, f64::min)
     })
 }

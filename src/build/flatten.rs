@@ -3,10 +3,12 @@
 //! Triangles are numbered in the order in which voxels, first to last, refer
 //! to them, so that what a ray meets together lies together.
 
-use super::draft::Draft;
+use super::draft::{Draft, Span};
+use super::exit::Exits;
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, GRID_BIT, Grid, Header, MAGIC, Section, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, PAYLOAD,
+    Section, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
 
@@ -17,6 +19,9 @@ pub struct Plan<'s> {
     pub(super) levels: u32,
     /// Room for the triangles' new numbers.
     pub(super) numbers: &'s mut [u32],
+    /// Whether voxels get exit boxes, and room for the sums that takes.
+    pub(super) exits: bool,
+    pub(super) table: &'s mut [u32],
     pub(super) sections: [Section; 4],
     pub(super) bytes: usize,
 }
@@ -25,33 +30,23 @@ impl<'s> Plan<'s> {
     pub(super) fn new(
         draft: Draft<'s>,
         structure: Structure,
+        exits: bool,
         numbers: &'s mut [u32],
+        table: &'s mut [u32],
     ) -> Result<Self, Error> {
         let grids = draft.grids();
         let voxels: u64 = grids.iter().map(Grid::voxels).sum();
-        let refs = |g| {
-            draft
-                .spans(g)
-                .iter()
-                .map(|s| u64::from(s.count))
-                .sum::<u64>()
-        };
-        let refs: u64 = grids.iter().map(refs).sum();
-        let ends = if grids.is_empty() { 0 } else { voxels + 1 };
-        let triangles = draft.soup.triangles.len() as u64;
+        let words = |g| draft.spans(g).iter().map(|&s| words(&draft, s)).sum::<u64>();
+        let refs: u64 = grids.iter().map(words).sum();
         let levels = grids.iter().map(|g| g.level + 1).max().unwrap_or(0);
-        if refs > u64::from(u32::MAX) || ends > u64::from(u32::MAX) {
+        let triangles = draft.soup.triangles.len() as u64;
+        // A list's place must fit a voxel's payload.
+        if refs > u64::from(PAYLOAD) {
             return Err(Error::Limit);
         }
-        let (sections, bytes) = sections(grids.len() as u64, ends, refs, triangles)?;
-        Ok(Self {
-            draft,
-            structure,
-            levels,
-            numbers,
-            sections,
-            bytes: bytes as usize,
-        })
+        let (sections, bytes) = sections(grids.len() as u64, voxels, refs, triangles)?;
+        let bytes = bytes as usize;
+        Ok(Self { draft, structure, levels, exits, numbers, table, sections, bytes })
     }
 
     /// Size of the arena that [`Plan::write`] makes, a multiple of 64.
@@ -89,7 +84,9 @@ impl<'s> Plan<'s> {
         let refs: &mut [u32] = bytemuck::cast_slice_mut(section(2, 4));
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
-        flatten(&self.draft, self.numbers, grids, voxels, refs, triangles);
+        renumber(&self.draft, self.numbers, triangles);
+        let table = if self.exits { &mut *self.table } else { &mut [] };
+        flatten(&self.draft, self.numbers, table, grids, voxels, refs);
         count_walks(grids, voxels, refs);
         head.objects = count_objects(grids, voxels, refs, self.numbers);
         Ok(())
@@ -118,46 +115,88 @@ impl<'s> Plan<'s> {
     }
 }
 
+/// Words of the references' section that a voxel takes.
+fn words(draft: &Draft<'_>, span: Span) -> u64 {
+    match draft.list(span) {
+        [] => 0,
+        [only] if only & GRID_BIT != 0 => 0,
+        list => (LIST_HEAD + list.len()) as u64,
+    }
+}
+
+/// Numbers the triangles as the voxels meet them and copies them in that order.
+fn renumber(draft: &Draft<'_>, numbers: &mut [u32], triangles: &mut [Triangle]) {
+    const UNSEEN: u32 = u32::MAX;
+    numbers.fill(UNSEEN);
+    let mut seen = 0;
+    for grid in draft.grids() {
+        for &span in draft.spans(grid) {
+            for &object in draft.list(span).iter().filter(|&&o| o & GRID_BIT == 0) {
+                let number = &mut numbers[object as usize];
+                if *number == UNSEEN {
+                    *number = seen;
+                    triangles[seen as usize] = draft.soup.triangles[object as usize];
+                    seen += 1;
+                }
+            }
+        }
+    }
+    debug_assert_eq!(seen as usize, triangles.len(), "a triangle is in no voxel");
+}
+
+/// Writes grids, voxels and lists.
 fn flatten(
     draft: &Draft<'_>,
-    numbers: &mut [u32],
+    numbers: &[u32],
+    table: &mut [u32],
     grids: &mut [Grid],
     voxels: &mut [u32],
     refs: &mut [u32],
-    triangles: &mut [Triangle],
 ) {
-    const UNSEEN: u32 = u32::MAX;
-    numbers.fill(UNSEEN);
-    let (mut seen, mut voxel, mut end) = (0, 0, 0);
+    let (mut first, mut end) = (0, 0);
     for (grid, from) in grids.iter_mut().zip(draft.grids()) {
-        *grid = Grid {
-            first: voxel as u32,
-            ..*from
-        };
-        for &span in draft.spans(from) {
-            let list = &mut refs[end..end + span.count as usize];
-            for (to, &object) in list.iter_mut().zip(draft.list(span)) {
-                *to = object;
-                if object & GRID_BIT == 0 {
-                    let number = &mut numbers[object as usize];
-                    if *number == UNSEEN {
-                        *number = seen;
-                        triangles[seen as usize] = draft.soup.triangles[object as usize];
-                        seen += 1;
-                    }
-                    *to = *number;
-                }
+        *grid = Grid { first: first as u32, ..*from };
+        let exits = Exits::new(from, draft, table);
+        let mut radius = 0;
+        let [nx, ny, nz] = from.n;
+        let cells =
+            (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
+        let spans = draft.spans(from);
+        let words = &mut voxels[first..first + spans.len()];
+        for ((at, &span), word) in cells.zip(spans).zip(words) {
+            if at[0] == 0 {
+                radius = 0;
             }
-            list.sort_unstable();
-            voxels[voxel] = end as u32;
-            voxel += 1;
-            end += list.len();
+            let mut exit = || exits.as_ref().map_or(0, |e| e.grow(at, span, &mut radius));
+            *word = match draft.list(span) {
+                [] => EMPTY << TAG_SHIFT | exit(),
+                [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
+                list => {
+                    let place = LIST << TAG_SHIFT | end as u32;
+                    refs[end] = exit();
+                    refs[end + 1] = span.count;
+                    let to = &mut refs[end + LIST_HEAD..][..list.len()];
+                    for (to, &object) in to.iter_mut().zip(list) {
+                        let triangle = object & GRID_BIT == 0;
+                        *to = if triangle { numbers[object as usize] } else { object };
+                    }
+                    to.sort_unstable();
+                    end += LIST_HEAD + list.len();
+                    place
+                }
+            };
         }
+        first += spans.len();
     }
-    if let Some(last) = voxels.last_mut() {
-        *last = end as u32;
+}
+
+/// The references of a voxel of an arena being written.
+fn list<'a>(voxel: &u32, refs: &'a [u32]) -> &'a [u32] {
+    let start = (voxel & PAYLOAD) as usize;
+    match voxel >> TAG_SHIFT {
+        LIST => &refs[start + LIST_HEAD..][..refs[start + 1] as usize],
+        _ => &[],
     }
-    debug_assert_eq!(seen as usize, triangles.len(), "a triangle is in no voxel");
 }
 
 /// How many triangles each level refers to; a level's grids are neighbours.
@@ -170,11 +209,11 @@ fn count_objects(
     let mut objects = [0; MAX_LEVELS];
     last.fill(u32::MAX);
     for grid in grids {
-        let (first, count) = (grid.first as usize, grid.voxels() as usize);
-        let list = voxels[first] as usize..voxels[first + count] as usize;
-        for &r in refs[list].iter().filter(|&&r| r & GRID_BIT == 0) {
-            if core::mem::replace(&mut last[r as usize], grid.level) != grid.level {
-                objects[grid.level as usize] += 1;
+        for voxel in &voxels[grid.first as usize..][..grid.voxels() as usize] {
+            for &r in list(voxel, refs).iter().filter(|&&r| r & GRID_BIT == 0) {
+                if core::mem::replace(&mut last[r as usize], grid.level) != grid.level {
+                    objects[grid.level as usize] += 1;
+                }
             }
         }
     }
@@ -184,20 +223,17 @@ fn count_objects(
 /// Sets each grid's `walks`, children before parents.
 fn count_walks(grids: &mut [Grid], voxels: &[u32], refs: &[u32]) {
     for number in (0..grids.len()).rev() {
-        let (first, count) = (
-            grids[number].first as usize,
-            grids[number].voxels() as usize,
-        );
-        let entries = |list: &[u32]| {
-            let below = list.iter().filter(|&&r| r & GRID_BIT != 0);
-            below
-                .map(|&r| u64::from(grids[(r & !GRID_BIT) as usize].walks))
-                .sum::<u64>()
+        let walks = |child: u32| u64::from(grids[child as usize].walks);
+        let entries = |voxel: &u32| match voxel >> TAG_SHIFT {
+            GRID => walks(voxel & PAYLOAD),
+            _ => {
+                let below = list(voxel, refs).iter().filter(|&&r| r & GRID_BIT != 0);
+                below.map(|&r| walks(r & !GRID_BIT)).sum()
+            }
         };
-        let lists = voxels[first..=first + count].windows(2);
-        let most = lists
-            .map(|pair| entries(&refs[pair[0] as usize..pair[1] as usize]))
-            .max();
+        let grid = &grids[number];
+        let most =
+            voxels[grid.first as usize..][..grid.voxels() as usize].iter().map(entries).max();
         grids[number].walks = (1 + most.unwrap_or(0)).min(u64::from(u32::MAX)) as u32;
     }
 }

@@ -29,20 +29,11 @@ impl Grid {
         let longest = side[0].max(side[1]).max(side[2]);
         let margin: [f64; 3] = core::array::from_fn(|k| {
             let far = f64::from(b.lo[k].abs().max(b.hi[k].abs()));
-            let thin = if side[k] == 0.0 {
-                longest / f64::from(1 << 20)
-            } else {
-                0.0
-            };
+            let thin = if side[k] == 0.0 { longest / f64::from(1 << 20) } else { 0.0 };
             side[k] / 4096.0 + far / f64::from(1u32 << 31) / 2.0 + thin
         });
         let lo = core::array::from_fn(|k| f64::from(b.lo[k]) - margin[k]);
-        Self::over(
-            lo,
-            core::array::from_fn(|k| side[k] + 2.0 * margin[k]),
-            [1; 3],
-            level,
-        )
+        Self::over(lo, core::array::from_fn(|k| side[k] + 2.0 * margin[k]), [1; 3], level)
     }
 
     /// A grid of one voxel over voxel `at` of this one.
@@ -54,11 +45,8 @@ impl Grid {
 
     /// The same box with the counts that `rule` gives for `objects` objects.
     pub(super) fn divided(&self, rule: &Rule, objects: usize) -> Self {
-        let n = if rule.counts == [0; 3] {
-            counts(&self.extent, rule, objects)
-        } else {
-            rule.counts
-        };
+        let n =
+            if rule.counts == [0; 3] { counts(&self.extent, rule, objects) } else { rule.counts };
         // Keeps `cell >= 2^-35 |lo|`, on which the walk's error bound rests.
         let n = core::array::from_fn(|k| {
             let far = self.lo[k].abs().max((self.lo[k] + self.extent[k]).abs());
@@ -70,12 +58,7 @@ impl Grid {
 
     /// The same box with half the counts.
     pub(super) fn coarser(&self) -> Self {
-        Self::over(
-            self.lo,
-            self.extent,
-            self.n.map(|n| n.div_ceil(2)),
-            self.level,
-        )
+        Self::over(self.lo, self.extent, self.n.map(|n| n.div_ceil(2)), self.level)
     }
 
     fn over(lo: [f64; 3], side: [f64; 3], n: [u32; 3], level: u32) -> Self {
@@ -89,7 +72,7 @@ impl Grid {
             level,
             first: 0,
             walks: 1,
-            reserved: [0; 2],
+            zero: 0.0,
         }
     }
 }

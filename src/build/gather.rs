@@ -36,12 +36,7 @@ impl<'s> Soup<'s> {
                     dropped_degenerate += 1;
                 } else {
                     let mask = geometry.mask();
-                    triangles[kept] = Triangle {
-                        corners,
-                        geom,
-                        prim: prim as u32,
-                        mask,
-                    };
+                    triangles[kept] = Triangle::new(&corners, geom, prim as u32, mask);
                     boxes[kept] = Aabb::of(&corners);
                     bounds.join(&boxes[kept]);
                     kept += 1;

@@ -31,9 +31,7 @@ pub fn link(
     let (mut groups, mut count, mut first) = (0, 0, 1);
     while first < total {
         let level = draft.grids()[first].level;
-        let same = draft.grids()[first..]
-            .iter()
-            .take_while(|g| g.level == level);
+        let same = draft.grids()[first..].iter().take_while(|g| g.level == level);
         let group = first..first + same.count();
         parent[group.clone()].fill(NONE);
         for upper in above[..groups].iter().rev() {
@@ -90,11 +88,7 @@ struct Index {
 impl Index {
     fn new(draft: &mut Draft<'_>, grids: Range<usize>, objects: &mut [u32]) -> Result<Self, Error> {
         let before = draft.mark();
-        let rule = Rule {
-            gridding: Gridding::Proportional,
-            alpha: 1.0,
-            counts: [0; 3],
-        };
+        let rule = Rule { gridding: Gridding::Proportional, alpha: 1.0, counts: [0; 3] };
         let grid = Grid::around(&draft.soup.bounds, 0).divided(&rule, grids.len());
         let objects = &mut objects[..grids.len()];
         for (number, object) in grids.zip(objects.iter_mut()) {
@@ -102,10 +96,7 @@ impl Index {
         }
         let number = draft.push(grid)?;
         draft.fill(number, objects, Crowded::Coarsen)?;
-        Ok(Self {
-            grid: draft.grids()[number],
-            before,
-        })
+        Ok(Self { grid: draft.grids()[number], before })
     }
 
     fn drop(self, draft: &mut Draft<'_>) {
@@ -162,11 +153,7 @@ impl Index {
                 // A pair shares a block of voxels; its lowest one reports it.
                 let lowest: [u32; 3] = core::array::from_fn(|k| range.lo[k].max(other.lo[k]));
                 let mut owner = false;
-                overlap::Range {
-                    lo: lowest,
-                    hi: lowest,
-                }
-                .each(&self.grid, |v| owner = v == voxel);
+                overlap::Range { lo: lowest, hi: lowest }.each(&self.grid, |v| owner = v == voxel);
                 if owner && intersects(outer, &inner) && count < room {
                     links[count] = [number, child as u32];
                     count += 1;

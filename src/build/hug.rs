@@ -41,16 +41,7 @@ pub fn hug<'s>(
         let range = bounds[level] as usize..bounds[level + 1] as usize;
         let delta = f64::from(options.connectivity)
             * length(&levels, level, &order[range.clone()], boxes, options);
-        clusters(
-            draft,
-            options,
-            (order, range),
-            delta,
-            (home, world),
-            parts,
-            ranges,
-            level,
-        )?;
+        clusters(draft, options, (order, range), delta, (home, world), parts, ranges, level)?;
     }
     let grids = draft.grids().len();
     // The index array's tail beyond the triangles is not in use yet.
@@ -58,15 +49,7 @@ pub fn hug<'s>(
         let (free, parent) = objects.split_at_mut(grids.min(objects.len() / 2));
         link(draft, options.hierarchy, links, free, parent)?
     };
-    fill(
-        draft,
-        options,
-        ranges,
-        order,
-        (home, world),
-        &links[..count_links],
-        objects,
-    )
+    fill(draft, options, ranges, order, (home, world), &links[..count_links], objects)
 }
 
 /// Sorts the triangles' numbers by level, into `order`; level k is the range
@@ -156,11 +139,7 @@ fn fill(
     mut links: &[[u32; 2]],
     objects: &mut [u32],
 ) -> Result<(), Error> {
-    let inner = Rule {
-        gridding: options.gridding,
-        alpha: options.alpha,
-        counts: [0; 3],
-    };
+    let inner = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
     for number in 0..draft.grids().len() {
         let (mut count, outer) = (0, number == 0);
         let mut add = |object: u32| {
@@ -168,25 +147,16 @@ fn fill(
             count += 1;
         };
         if outer {
-            (0..)
-                .zip(home)
-                .filter(|(_, home)| **home == world)
-                .for_each(|(i, _)| add(i));
+            (0..).zip(home).filter(|(_, home)| **home == world).for_each(|(i, _)| add(i));
         } else {
             let [start, end] = ranges[number];
-            order[start as usize..end as usize]
-                .iter()
-                .for_each(|&i| add(i));
+            order[start as usize..end as usize].iter().for_each(|&i| add(i));
         }
         let below = links.iter().take_while(|l| l[0] as usize == number).count();
         links[..below].iter().for_each(|l| add(GRID_BIT | l[1]));
         links = &links[below..];
         let rule = if outer { outer_rule(options) } else { inner };
-        let crowded = if outer {
-            outer_crowded(options)
-        } else {
-            Crowded::Coarsen
-        };
+        let crowded = if outer { outer_crowded(options) } else { Crowded::Coarsen };
         let grid = draft.grids()[number].divided(&rule, count);
         draft.grids_mut()[number] = grid;
         draft.fill(number, &objects[..count], crowded)?;

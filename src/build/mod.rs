@@ -9,6 +9,7 @@
 mod capacity;
 mod cluster;
 mod draft;
+mod exit;
 mod filter;
 mod flatten;
 mod frame;
@@ -45,7 +46,7 @@ pub fn measure(soup: &[Geometry<'_>], options: &Options) -> Result<Sizes, Error>
 /// [`measure`] for a number of triangles.
 pub(crate) fn measure_count(triangles: usize, options: &Options) -> Result<Sizes, Error> {
     options.check()?;
-    Capacity::new(triangles, options).sizes()
+    Capacity::new(triangles, &options.resolved()).sizes()
 }
 
 /// Builds a structure in scratch memory.
@@ -59,6 +60,7 @@ pub fn plan<'s>(
     scratch: &'s mut [u8],
 ) -> Result<Plan<'s>, Error> {
     options.check()?;
+    let options = &options.resolved();
     let capacity = Capacity::new(count(soup)?, options);
     fpenv::with_default(|| {
         let mut scratch = Scratch::new(scratch);
@@ -67,12 +69,9 @@ pub fn plan<'s>(
         let numbers = &mut scratch.take::<u32>(capacity.triangles)?[..count];
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
         let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
-        let structure = match options.structure {
-            Structure::Auto => Structure::Hug,
-            chosen => chosen,
-        };
+        let table = scratch.take::<u32>(capacity.table)?;
         if count > 0 {
-            match structure {
+            match options.structure {
                 Structure::Uniform => uniform::uniform(&mut draft, options, objects)?,
                 Structure::Recursive => recursive::recursive(&mut draft, options, objects)?,
                 Structure::Auto | Structure::Hug => {
@@ -80,7 +79,7 @@ pub fn plan<'s>(
                 }
             }
         }
-        Plan::new(draft, structure, numbers)
+        Plan::new(draft, options.structure, options.exit_boxes, numbers, table)
     })
 }
 

@@ -27,10 +27,7 @@ pub struct Range {
 impl Range {
     /// The voxels that meet the box `lo, hi`, or `None` if it lies outside.
     pub fn of(grid: &Grid, lo: [f64; 3], hi: [f64; 3]) -> Option<Self> {
-        let mut range = Self {
-            lo: [0; 3],
-            hi: [0; 3],
-        };
+        let mut range = Self { lo: [0; 3], hi: [0; 3] };
         for k in 0..3 {
             let cell = |x: f64| (x - grid.lo[k]) * grid.inv_cell[k];
             let (a, b) = (cell(lo[k]), cell(hi[k]));
@@ -51,6 +48,12 @@ impl Range {
     pub fn of_grid(grid: &Grid, child: &Grid) -> Option<Self> {
         let hi = core::array::from_fn(|k| child.lo[k] + child.extent[k]);
         Self::of(grid, child.lo, hi)
+    }
+
+    /// Number of rows of voxels, along x.
+    pub fn rows(&self) -> usize {
+        let side = |k: usize| (self.hi[k] - self.lo[k]) as usize + 1;
+        side(1) * side(2)
     }
 
     /// Calls `visit` with the number of each voxel, counted from the grid's first.
@@ -85,11 +88,7 @@ impl Edges {
             let offset = normal[0] * q[a][i] + normal[1] * q[a][j];
             // The corner of the grown voxel that lies deepest inside.
             let reach = |n: f64| (-n).max(0.0) + n.abs() * PAD;
-            [
-                normal[0],
-                normal[1],
-                offset + reach(normal[0]) + reach(normal[1]) + error,
-            ]
+            [normal[0], normal[1], offset + reach(normal[0]) + reach(normal[1]) + error]
         }))
     }
 
@@ -100,24 +99,21 @@ impl Edges {
     }
 }
 
-/// Calls `visit` with each voxel that `triangle` meets.
+/// Calls `visit` with each voxel that `triangle` meets; returns how many rows of
+/// voxels it looked at.
 #[inline(always)]
-pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(usize)) {
-    let Some(range) = Range::of_box(grid, b) else {
-        return;
-    };
+pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(usize)) -> usize {
+    let Some(range) = Range::of_box(grid, b) else { return 1 };
     let wide = (0..3).filter(|&k| range.lo[k] != range.hi[k]).count();
     // Within a row the box is nearly always right.
     if wide == 0 {
-        return range.each(grid, visit);
+        range.each(grid, visit);
+        return 1;
     }
     let q = triangle
-        .corners
+        .corners()
         .map(|p| core::array::from_fn(|k| (f64::from(p[k]) - grid.lo[k]) * grid.inv_cell[k]));
-    let far = q
-        .as_flattened()
-        .iter()
-        .fold(2048.0f64, |m, x| m.max(x.abs()));
+    let far = q.as_flattened().iter().fold(2048.0f64, |m, x| m.max(x.abs()));
     let (e0, e1) = (edge(&q[0], &q[1]), edge(&q[0], &q[2]));
     let longest = e0.iter().chain(&e1).fold(1.0f64, |m, x| m.max(x.abs()));
     let error = ROUNDING * far * longest * 4.0;
@@ -130,6 +126,7 @@ pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(
     let offset: f64 = (0..3).map(|k| normal[k] * (q[0][k] - 0.5)).sum();
     let half: f64 =
         normal.iter().map(|n| n.abs() * (0.5 + PAD)).sum::<f64>() + error * longest * 4.0;
+    let steep = range.hi[0] - range.lo[0] > 3 && normal[0] != 0.0;
     for z in range.lo[2]..=range.hi[2] {
         for y in range.lo[1]..=range.hi[1] {
             if !edges[0].pass(y, z) {
@@ -137,7 +134,15 @@ pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(
             }
             let row = (z as usize * grid.n[1] as usize + y as usize) * grid.n[0] as usize;
             let plane = normal[1] * f64::from(y) + normal[2] * f64::from(z) - offset;
-            for x in range.lo[0]..=range.hi[0] {
+            let (mut first, mut last) = (range.lo[0], range.hi[0]);
+            if steep {
+                // Where the row is near the plane, give or take a voxel: rows are
+                // long where triangles are large.
+                let (a, b) = ((-half - plane) / normal[0], (half - plane) / normal[0]);
+                first = first.max((a.min(b) - 1.0).max(0.0) as u32);
+                last = last.min((a.max(b) + 1.0).max(0.0) as u32);
+            }
+            for x in first..=last {
                 let distance = normal[0] * f64::from(x) + plane;
                 if distance.abs() <= half && edges[1].pass(z, x) && edges[2].pass(x, y) {
                     visit(row + x as usize);
@@ -145,6 +150,7 @@ pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(
             }
         }
     }
+    range.rows()
 }
 
 fn edge(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {

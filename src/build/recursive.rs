@@ -2,13 +2,16 @@
 //! becomes a grid of about as many voxels over its own box.
 //!
 //! Breadth first, so that the capacity, if it runs out, is spent on the upper
-//! levels, and so that parents come before children in the arena.
+//! levels, and so that parents come before children in the arena. Splits that
+//! separate nothing are undone and counted: when they have cost as much as the
+//! capacity, the rest stays as it is. So time, like memory, is linear in the
+//! references allowed.
 
 use super::draft::{Draft, Span};
 use super::frame::Rule;
 use super::uniform::uniform;
 use crate::Error;
-use crate::arena::layout::GRID_BIT;
+use crate::arena::layout::Grid;
 use crate::options::Options;
 
 /// Builds a uniform grid and splits its crowded voxels, and theirs.
@@ -18,69 +21,72 @@ pub fn recursive(
     objects: &mut [u32],
 ) -> Result<(), Error> {
     uniform(draft, options, objects)?;
-    let rule = Rule {
-        gridding: options.gridding,
-        alpha: options.alpha,
-        counts: [0; 3],
-    };
+    let rule = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
+    let mut splitter = Splitter { rule, maxp: options.maxp, wasted: 0 };
     let mut number = 0;
-    let mut deepest = 0;
     while number < draft.grids().len() {
         // Depth for now; levels count from the deepest and are set below.
-        let depth = draft.grids()[number].level;
-        deepest = deepest.max(depth);
-        if depth + 1 < options.max_depth {
-            split(draft, number, options.maxp, &rule);
+        if draft.grids()[number].level + 1 < options.max_depth
+            && splitter.split_all(draft, number).is_none()
+        {
+            break;
         }
         number += 1;
     }
+    let deepest = draft.grids().iter().map(|g| g.level).max().unwrap_or(0);
     for grid in draft.grids_mut() {
         grid.level = deepest - grid.level;
     }
     Ok(())
 }
 
-/// Splits the crowded voxels of one grid.
-fn split(draft: &mut Draft<'_>, number: usize, maxp: u32, rule: &Rule) {
-    let grid = draft.grids()[number];
-    let mut voxel = grid.first as usize;
-    for z in 0..grid.n[2] {
-        for y in 0..grid.n[1] {
-            for x in 0..grid.n[0] {
-                let span = draft.spans(&grid)[voxel - grid.first as usize];
-                if span.count > maxp {
-                    let mark = draft.mark();
-                    let child = grid.inside([x, y, z], grid.level + 1);
-                    let child = child.divided(rule, span.count as usize);
-                    if !try_split(draft, child, voxel, span) {
-                        draft.back_to(mark);
-                    }
-                }
-                voxel += 1;
-            }
-        }
-    }
+struct Splitter {
+    rule: Rule,
+    maxp: u32,
+    /// References of splits that were undone.
+    wasted: usize,
 }
 
-/// Fills `child` with the voxel's objects. `false` if there is no room or if
-/// that separates nothing: some voxel would still hold all of them.
-fn try_split(
-    draft: &mut Draft<'_>,
-    child: crate::arena::layout::Grid,
-    voxel: usize,
-    span: Span,
-) -> bool {
-    let Ok(number) = draft.push(child) else {
-        return false;
-    };
-    if draft.fill_from(number, voxel).is_err() {
-        return false;
+impl Splitter {
+    /// Splits the crowded voxels of one grid; `None` when it is time to stop.
+    fn split_all(&mut self, draft: &mut Draft<'_>, number: usize) -> Option<()> {
+        let grid = draft.grids()[number];
+        let [nx, ny, nz] = grid.n;
+        let cells =
+            (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
+        for (voxel, at) in cells.enumerate() {
+            let span = draft.spans(&grid)[voxel];
+            if span.count > self.maxp {
+                let child = grid.inside(at, grid.level + 1);
+                let child = child.divided(&self.rule, span.count as usize);
+                self.split(draft, child, grid.first as usize + voxel, span)?;
+            }
+        }
+        Some(())
     }
-    let grid = draft.grids()[number];
-    if draft.spans(&grid).iter().any(|s| s.count >= span.count) {
-        return false;
+
+    /// Makes `child` of a voxel, unless that separates nothing: some voxel of it
+    /// would still hold all objects. `None` if there is no room, or no patience.
+    fn split(
+        &mut self,
+        draft: &mut Draft<'_>,
+        child: Grid,
+        voxel: usize,
+        span: Span,
+    ) -> Option<()> {
+        let before = draft.mark();
+        let filled = draft.push(child).and_then(|n| draft.fill_from(n, voxel).map(|()| n));
+        let Ok(number) = filled else {
+            draft.back_to(before);
+            return None;
+        };
+        let child = draft.grids()[number];
+        if draft.spans(&child).iter().any(|s| s.count >= span.count) {
+            self.wasted += draft.refs_since(before);
+            draft.back_to(before);
+            return (self.wasted <= draft.capacity()).then_some(());
+        }
+        draft.replace(voxel, number);
+        Some(())
     }
-    debug_assert!(draft.list(span).iter().all(|r| r & GRID_BIT == 0));
-    draft.replace(voxel, number);
-    true
 }

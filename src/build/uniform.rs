@@ -8,20 +8,12 @@ use crate::options::Options;
 
 /// The outermost grid's rule for its counts.
 pub fn outer_rule(options: &Options) -> Rule {
-    Rule {
-        gridding: options.gridding,
-        alpha: options.outer_alpha(),
-        counts: options.counts,
-    }
+    Rule { gridding: options.gridding, alpha: options.outer_alpha(), counts: options.counts }
 }
 
 /// What to do when the outermost grid's references exceed its budget.
 pub fn outer_crowded(options: &Options) -> Crowded {
-    if options.counts == [0; 3] {
-        Crowded::Coarsen
-    } else {
-        Crowded::Fail
-    }
+    if options.counts == [0; 3] { Crowded::Coarsen } else { Crowded::Fail }
 }
 
 /// Puts all triangles into one grid. `objects` is room for their numbers.

@@ -44,10 +44,7 @@ pub unsafe extern "C" fn hug_build(
         let parsed = unsafe { Parsed::read(desc) }?;
         let allocator = Allocator::new(&parsed.desc)?;
         let sizes = build::measure_count(parsed.triangle_count()?, &parsed.options)?;
-        let size = sizes
-            .scratch
-            .checked_add(parsed.soup_bytes()?)
-            .ok_or(Error::Overflow)?;
+        let size = sizes.scratch.checked_add(parsed.soup_bytes()?).ok_or(Error::Overflow)?;
         let mut scratch = Block::scratch(&allocator, size)?;
         let (soup, scratch) = parsed.soup(scratch.bytes())?;
         let plan = build::plan(soup, &parsed.options, scratch)?;
@@ -91,10 +88,7 @@ pub unsafe extern "C" fn hug_measure(
         // SAFETY: readable by contract.
         let parsed = unsafe { Parsed::read(desc) }?;
         let sizes = build::measure_count(parsed.triangle_count()?, &parsed.options)?;
-        let scratch = sizes
-            .scratch
-            .checked_add(parsed.soup_bytes()?)
-            .ok_or(Error::Overflow)?;
+        let scratch = sizes.scratch.checked_add(parsed.soup_bytes()?).ok_or(Error::Overflow)?;
         // SAFETY: not NULL, writable by contract.
         unsafe {
             arena_bytes.write(sizes.arena);
@@ -132,6 +126,9 @@ pub unsafe extern "C" fn hug_build_into(
         }
         if !(scratch as usize).is_multiple_of(16) || !(arena as usize).is_multiple_of(64) {
             return Err(Error::Alignment);
+        }
+        if isize::try_from(scratch_bytes).is_err() || isize::try_from(arena_bytes).is_err() {
+            return Err(Error::Overflow);
         }
         if overlap(scratch as usize, scratch_bytes, arena as usize, arena_bytes)? {
             return Err(Error::Overlap);

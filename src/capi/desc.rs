@@ -4,8 +4,8 @@ use core::mem::MaybeUninit;
 
 use super::guard::overlap;
 use super::types::{
-    HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER, HUG_INDEX_NONE, HUG_INDEX_U16,
-    HUG_INDEX_U32, hug_build_desc, hug_geometry,
+    HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER,
+    HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, hug_build_desc, hug_geometry,
 };
 use crate::geometry::{Geometry, Indices};
 use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Structure};
@@ -42,7 +42,7 @@ impl<'a> Parsed<'a> {
             let bytes = core::slice::from_raw_parts(desc.cast::<u8>(), size.min(MAX_DESC));
             (desc.read(), &bytes[size_of::<hug_build_desc>()..])
         };
-        if size > MAX_DESC || tail.iter().any(|&b| b != 0) || head.reserved != 0 {
+        if size > MAX_DESC || tail.iter().any(|&b| b != 0) {
             return Err(Error::StructSize);
         }
         if head.geometry_count > 0 && head.geometries.is_null() {
@@ -56,11 +56,7 @@ impl<'a> Parsed<'a> {
         for geometry in geometries {
             check(geometry)?;
         }
-        Ok(Self {
-            desc: head,
-            options,
-            geometries,
-        })
+        Ok(Self { desc: head, options, geometries })
     }
 
     /// Number of triangles in all geometries.
@@ -93,10 +89,7 @@ impl<'a> Parsed<'a> {
         let count = self.geometries.len();
         // SAFETY: aligned, large enough, and borrowed for 'm; uninitialised is fine.
         let list = unsafe {
-            let start = head
-                .as_mut_ptr()
-                .add(skip)
-                .cast::<MaybeUninit<Geometry<'a>>>();
+            let start = head.as_mut_ptr().add(skip).cast::<MaybeUninit<Geometry<'a>>>();
             core::slice::from_raw_parts_mut(start, count)
         };
         for (to, from) in list.iter_mut().zip(self.geometries) {
@@ -104,10 +97,7 @@ impl<'a> Parsed<'a> {
             to.write(unsafe { geometry(from) }?);
         }
         // SAFETY: every element was written.
-        Ok((
-            unsafe { &*(&raw const *list as *const [Geometry<'a>]) },
-            rest,
-        ))
+        Ok((unsafe { &*(&raw const *list as *const [Geometry<'a>]) }, rest))
     }
 
     /// Whether the build's input keeps clear of memory it will write.
@@ -144,21 +134,14 @@ unsafe fn slice<'a, T>(start: *const T, count: usize) -> Result<&'a [T], Error> 
 }
 
 fn stride(g: &hug_geometry) -> usize {
-    if g.vertex_stride == 0 {
-        12
-    } else {
-        g.vertex_stride
-    }
+    if g.vertex_stride == 0 { 12 } else { g.vertex_stride }
 }
 
 /// Bytes from the first vertex to the end of the last one's z.
 fn vertex_bytes(g: &hug_geometry) -> Result<usize, Error> {
     match g.vertex_count {
         0 => Ok(0),
-        n => (n - 1)
-            .checked_mul(stride(g))
-            .and_then(|b| b.checked_add(12))
-            .ok_or(Error::Overflow),
+        n => (n - 1).checked_mul(stride(g)).and_then(|b| b.checked_add(12)).ok_or(Error::Overflow),
     }
 }
 
@@ -168,9 +151,7 @@ fn index_bytes(g: &hug_geometry) -> Result<usize, Error> {
         HUG_INDEX_U16 => 2,
         _ => 4,
     };
-    g.triangle_count
-        .checked_mul(3 * size)
-        .ok_or(Error::Overflow)
+    g.triangle_count.checked_mul(3 * size).ok_or(Error::Overflow)
 }
 
 /// Checks a geometry without reading its arrays.
@@ -191,10 +172,9 @@ fn check(g: &hug_geometry) -> Result<(), Error> {
     if indexed && !(g.indices as usize).is_multiple_of(align) {
         return Err(Error::Alignment);
     }
-    for (start, bytes) in [
-        (g.vertices as usize, vertex_bytes(g)?),
-        (g.indices as usize, index_bytes(g)?),
-    ] {
+    for (start, bytes) in
+        [(g.vertices as usize, vertex_bytes(g)?), (g.indices as usize, index_bytes(g)?)]
+    {
         if isize::try_from(bytes).is_err() || start.checked_add(bytes).is_none() {
             return Err(Error::Overflow);
         }
@@ -209,11 +189,7 @@ fn check(g: &hug_geometry) -> Result<(), Error> {
 /// The arrays of a geometry that passed [`check`] are readable.
 unsafe fn geometry<'a>(g: &hug_geometry) -> Result<Geometry<'a>, Error> {
     let indexed = g.index_type != HUG_INDEX_NONE;
-    let vertices = if indexed {
-        g.vertex_count
-    } else {
-        3 * g.triangle_count
-    };
+    let vertices = if indexed { g.vertex_count } else { 3 * g.triangle_count };
     let floats = match vertices {
         0 => 0,
         n => (n - 1) * (stride(g) / 4) + 3,
@@ -232,17 +208,16 @@ unsafe fn geometry<'a>(g: &hug_geometry) -> Result<Geometry<'a>, Error> {
 }
 
 fn or<T: PartialEq + Default>(value: T, default: T) -> T {
-    if value == T::default() {
-        default
-    } else {
-        value
-    }
+    if value == T::default() { default } else { value }
 }
 
 /// # Safety
 /// `filter_thresholds` is NULL or readable.
 unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
     let normal = Options::default();
+    if d.flags & !HUG_BUILD_PLAIN_STEPS != 0 {
+        return Err(Error::InvalidValue);
+    }
     Ok(Options {
         structure: match d.structure {
             0 => Structure::Auto,
@@ -275,6 +250,7 @@ unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
             _ => return Err(Error::InvalidValue),
         },
         min_cluster: or(d.min_cluster, normal.min_cluster),
+        exit_boxes: d.flags & HUG_BUILD_PLAIN_STEPS == 0,
         max_refs: or(d.max_refs, normal.max_refs),
     })
 }

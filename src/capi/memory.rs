@@ -34,11 +34,7 @@ impl Allocator {
             (None, None) if default => {}
             _ => return Err(Error::Null),
         }
-        Ok(Self {
-            alloc: desc.alloc,
-            free: desc.free,
-            user: desc.user,
-        })
+        Ok(Self { alloc: desc.alloc, free: desc.free, user: desc.user })
     }
 
     /// `size` zeroed or unspecified bytes, aligned to 64.
@@ -116,11 +112,7 @@ impl Block {
 
     /// Room for an arena, behind a prefix.
     pub fn scene(allocator: &Allocator, size: usize) -> Result<Self, Error> {
-        Self::new(
-            allocator,
-            size.checked_add(ALIGN).ok_or(Error::Overflow)?,
-            ALIGN,
-        )
+        Self::new(allocator, size.checked_add(ALIGN).ok_or(Error::Overflow)?, ALIGN)
     }
 
     fn new(allocator: &Allocator, size: usize, head: usize) -> Result<Self, Error> {
@@ -130,12 +122,7 @@ impl Block {
             // be uninitialised before Rust may look at it.
             unsafe { memory.write_bytes(0, size) };
         }
-        Ok(Self {
-            allocator: *allocator,
-            memory,
-            size,
-            head,
-        })
+        Ok(Self { allocator: *allocator, memory, size, head })
     }
 
     pub fn bytes(&mut self) -> &mut [u8] {
@@ -147,10 +134,7 @@ impl Block {
 
     /// Gives the block away as a scene handle.
     pub fn into_scene(self) -> *mut hug_scene {
-        let prefix = Prefix {
-            allocator: self.allocator,
-            size: self.size,
-        };
+        let prefix = Prefix { allocator: self.allocator, size: self.size };
         // SAFETY: the block starts with room for the prefix, aligned to 64.
         let scene = unsafe {
             self.memory.cast::<Prefix>().write(prefix);

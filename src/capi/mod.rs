@@ -7,6 +7,9 @@
 //! as their counts say. What can be checked without touching memory (NULL,
 //! alignment, overlap, overflow, ranges) is checked and gives a status.
 
+// The comments are C documentation: brackets are subscripts there.
+#![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
+
 mod build;
 mod desc;
 mod guard;

@@ -85,16 +85,8 @@ pub unsafe extern "C" fn hug_intersect_n(
     if scene.is_null() || rays.is_null() || hits.is_null() {
         return;
     }
-    let ray_stride = if ray_stride == 0 {
-        size_of::<hug_ray>()
-    } else {
-        ray_stride
-    };
-    let hit_stride = if hit_stride == 0 {
-        size_of::<hug_hit>()
-    } else {
-        hit_stride
-    };
+    let ray_stride = if ray_stride == 0 { size_of::<hug_ray>() } else { ray_stride };
+    let hit_stride = if hit_stride == 0 { size_of::<hug_hit>() } else { hit_stride };
     // SAFETY: valid by contract, for every i below n.
     unsafe {
         let view = view(scene);
@@ -123,11 +115,7 @@ pub unsafe extern "C" fn hug_occluded_n(
     if scene.is_null() || rays.is_null() || occluded.is_null() {
         return;
     }
-    let ray_stride = if ray_stride == 0 {
-        size_of::<hug_ray>()
-    } else {
-        ray_stride
-    };
+    let ray_stride = if ray_stride == 0 { size_of::<hug_ray>() } else { ray_stride };
     // SAFETY: valid by contract, for every i below n.
     unsafe {
         let view = view(scene);

@@ -1,13 +1,13 @@
 //! What a scene holds, and what the library is.
 
-use core::ffi::c_char;
+use core::ffi::{CStr, c_char};
 
 use super::build::hug_scene;
 use super::guard::guard;
 use super::types::{HUG_MAX_LEVELS, hug_level_stats, hug_scene_stats, hug_status};
-use crate::Error;
 use crate::arena::View;
 use crate::stats::{Level, Stats};
+use crate::{Error, Isa, force_isa};
 
 /// Fills *stats (struct_size set by the caller) with the statistics of
 /// section 3 of the paper. Cost: linear in the arena, with no allocation.
@@ -120,6 +120,35 @@ pub extern "C" fn hug_version() -> *const c_char {
 #[unsafe(no_mangle)]
 pub extern "C" fn hug_abi_version() -> u32 {
     1
+}
+
+/// The instruction set that queries run on: "avx2" or "portable", never NULL.
+/// Results do not depend on it.
+#[unsafe(no_mangle)]
+pub extern "C" fn hug_isa() -> *const c_char {
+    crate::isa().name().as_ptr()
+}
+
+/// Makes all queries of the process run on the instruction set of this name,
+/// for tests and comparisons. HUG_ERROR_INVALID_VALUE, and no change, if the
+/// name is unknown or the processor does not have it.
+///
+/// # Safety
+/// name must be a string or NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hug_force_isa(name: *const c_char) -> hug_status {
+    guard(|| {
+        if name.is_null() {
+            return Err(Error::Null);
+        }
+        // SAFETY: a string by contract.
+        let name = unsafe { CStr::from_ptr(name) };
+        let known = [Isa::Portable, Isa::Avx2].into_iter().find(|isa| isa.name() == name);
+        match known {
+            Some(isa) if force_isa(isa) => Ok(()),
+            _ => Err(Error::InvalidValue),
+        }
+    })
 }
 
 /// A status in English, never NULL, also for numbers that are no status.

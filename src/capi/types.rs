@@ -88,6 +88,10 @@ pub const HUG_INDEX_U16: hug_index_type = 1;
 /// uint32_t, three a triangle, packed.
 pub const HUG_INDEX_U32: hug_index_type = 2;
 
+/// Build flag: no exit boxes, so that a step of the walk is one voxel, as in
+/// the paper. The hits are the same.
+pub const HUG_BUILD_PLAIN_STEPS: u32 = 1;
+
 /// hug_open flag: the bytes come from this library and are not checked.
 /// Damaged bytes then make queries undefined.
 pub const HUG_OPEN_TRUSTED: u32 = 1;
@@ -168,8 +172,8 @@ pub struct hug_build_desc {
     pub min_cluster: u32,
     /// Most references a grid may hold per object in it, up to 4096. 0 means 32.
     pub max_refs: u32,
-    /// Must be 0.
-    pub reserved: u32,
+    /// HUG_BUILD_* flags.
+    pub flags: u32,
     /// hug_build only: the allocator, or both NULL for the default one.
     pub alloc: hug_alloc_fn,
     /// hug_build only: frees what alloc returned, also from hug_free.

@@ -2,26 +2,20 @@
 //!
 //! Coordinates are `f32`, so on a common power of two they are integers of at
 //! most 277 bits; a difference has 278, a determinant of three rows at most
-//! 840. 14 limbs hold 896 bits, so nothing here can overflow. Length follows
-//! the value: ordinary scenes use one to three limbs.
+//! 840, and division takes 28 more: 14 limbs of 64 bits hold anything. Numbers
+//! of similar size, as scenes mostly have, fit 4, and cost a tenth.
 
 use core::cmp::Ordering;
 
-const LIMBS: usize = 14;
-
 #[derive(Clone, Copy)]
-pub struct Int {
+pub struct Int<const LIMBS: usize> {
     negative: bool,
     len: usize,
     limb: [u64; LIMBS],
 }
 
-impl Int {
-    pub const ZERO: Self = Self {
-        negative: false,
-        len: 0,
-        limb: [0; LIMBS],
-    };
+impl<const LIMBS: usize> Int<LIMBS> {
+    pub const ZERO: Self = Self { negative: false, len: 0, limb: [0; LIMBS] };
 
     /// `value * 2^shift`.
     pub fn shifted(value: i64, shift: u32) -> Self {
@@ -61,10 +55,7 @@ impl Int {
 
     pub fn shl(self, by: u32) -> Self {
         let (limbs, bits) = ((by / 64) as usize, by % 64);
-        let mut out = Self {
-            negative: self.negative,
-            ..Self::ZERO
-        };
+        let mut out = Self { negative: self.negative, ..Self::ZERO };
         for i in 0..self.len {
             let wide = u128::from(self.limb[i]) << bits;
             out.limb[i + limbs] |= wide as u64;
@@ -73,6 +64,16 @@ impl Int {
             }
         }
         out.trim((self.len + limbs + 1).min(LIMBS))
+    }
+
+    /// Half of it, for an even number.
+    pub fn halved(mut self) -> Self {
+        for i in 0..self.len {
+            let above = if i + 1 < self.len { self.limb[i + 1] << 63 } else { 0 };
+            self.limb[i] = self.limb[i] >> 1 | above;
+        }
+        let len = self.len;
+        self.trim(len)
     }
 
     pub fn add(&self, other: &Self) -> Self {
@@ -110,18 +111,12 @@ impl Int {
 
     pub fn cmp_magnitude(&self, other: &Self) -> Ordering {
         self.len.cmp(&other.len).then_with(|| {
-            self.limb[..self.len]
-                .iter()
-                .rev()
-                .cmp(other.limb[..other.len].iter().rev())
+            self.limb[..self.len].iter().rev().cmp(other.limb[..other.len].iter().rev())
         })
     }
 
     fn add_magnitude(&self, other: &Self) -> Self {
-        let mut out = Self {
-            negative: self.negative,
-            ..Self::ZERO
-        };
+        let mut out = Self { negative: self.negative, ..Self::ZERO };
         let len = self.len.max(other.len);
         let mut carry = false;
         for i in 0..len {
@@ -138,10 +133,7 @@ impl Int {
 
     /// `|self| - |other|` with the sign of `self`, for `|self| > |other|`.
     fn sub_magnitude(&self, other: &Self) -> Self {
-        let mut out = Self {
-            negative: self.negative,
-            ..Self::ZERO
-        };
+        let mut out = Self { negative: self.negative, ..Self::ZERO };
         let mut borrow = false;
         for i in 0..self.len {
             let (a, c) = self.limb[i].overflowing_sub(other.limb[i]);
@@ -164,7 +156,9 @@ impl Int {
 
 #[cfg(test)]
 mod tests {
-    use super::Int;
+    use super::Int as Wide;
+
+    type Int = Wide<14>;
 
     fn int(value: i128) -> Int {
         let high = Int::shifted((value >> 62) as i64, 62);
@@ -193,10 +187,7 @@ mod tests {
             assert_eq!(value(&int(a).mul(&int(b))), a * b);
             assert_eq!(int(a).signum(), a.signum() as i32);
             assert_eq!(int(a).bits(), 128 - a.unsigned_abs().leading_zeros());
-            assert_eq!(
-                int(a).cmp_magnitude(&int(b)),
-                a.unsigned_abs().cmp(&b.unsigned_abs())
-            );
+            assert_eq!(int(a).cmp_magnitude(&int(b)), a.unsigned_abs().cmp(&b.unsigned_abs()));
         }
     }
 
@@ -208,9 +199,6 @@ mod tests {
         assert_eq!(cube.signum(), -1);
         let low = Int::shifted(1, 0);
         assert_eq!(cube.sub(&low).add(&low).sub(&cube).signum(), 0);
-        assert_eq!(
-            cube.sub(&low).sub(&cube).neg().cmp_magnitude(&low),
-            core::cmp::Ordering::Equal
-        );
+        assert_eq!(cube.sub(&low).sub(&cube).neg().cmp_magnitude(&low), core::cmp::Ordering::Equal);
     }
 }

@@ -14,11 +14,7 @@
 #[inline(always)]
 pub(crate) fn with_default<R>(f: impl FnOnce() -> R) -> R {
     let caller = control::get();
-    if control::is_default(caller) {
-        f()
-    } else {
-        switched(caller, f)
-    }
+    if control::is_default(caller) { f() } else { switched(caller, f) }
 }
 
 #[cold]
@@ -35,10 +31,7 @@ fn switched<R>(caller: control::Word, f: impl FnOnce() -> R) -> R {
     f()
 }
 
-#[cfg(any(
-    target_arch = "x86_64",
-    all(target_arch = "x86", target_feature = "sse")
-))]
+#[cfg(any(target_arch = "x86_64", all(target_arch = "x86", target_feature = "sse")))]
 mod control {
     use core::arch::asm;
 

@@ -1,3 +1,17 @@
-//! What depends on the processor.
+//! What depends on the processor: instruction sets behind one trait, the choice
+//! between them at run time, and the floating-point environment.
+//!
+//! The algorithms are written once, over [`Lanes`]; each instruction set is a
+//! thin shell. No result depends on which one runs: lanes only steer the walk,
+//! which is conservative, and sieve triangles, whose hits `triangle` decides.
 
 pub(crate) mod fpenv;
+mod isa;
+mod lanes;
+mod portable;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub(crate) use isa::{AnyKernel, dispatch};
+pub use isa::{Isa, force_isa, isa};
+pub(crate) use lanes::{Kernel, Lanes};

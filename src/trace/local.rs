@@ -16,14 +16,57 @@ use glam::DVec3;
 
 use super::rebase::rebase;
 use crate::arena::layout::Grid;
+use crate::ray::Ray;
+use crate::simd::Lanes;
 
 /// Farthest origin, in cells, that `f64` walks from directly.
 pub(super) const REACH: f64 = (1u64 << 36) as f64;
 
-/// A ray in a grid's own frame: position `o + s d` for `s` in `[s0, s1]`.
-pub(super) struct Local {
-    /// Origin relative to the grid's lowest corner.
+/// A ray as every grid uses it, in lanes x, y, z and an idle one.
+///
+/// Where the ray does not move along an axis, and in the idle lane, `inv` is 0
+/// and `far` infinite: `plane * inv + far` is then the parameter of a plane that is
+/// never reached, with no NaN on the way.
+#[derive(Clone, Copy)]
+pub(super) struct Course<L: Lanes> {
+    pub org: L::F64,
+    pub dir: L::F64,
+    pub inv: L::F64,
+    /// 0 where the ray moves, else infinity.
+    pub far: L::F64,
+    /// Whether the ray is parallel to a coordinate plane.
+    parallel: bool,
+    /// The same for what is done one axis at a time.
     pub o: DVec3,
+    pub d: DVec3,
+}
+
+impl<L: Lanes> Course<L> {
+    #[inline(always)]
+    pub fn new(l: L, ray: &Ray) -> Self {
+        let (o, d) = (ray.org.map(f64::from), ray.dir.map(f64::from));
+        let inv = d.map(|d| if d == 0.0 { 0.0 } else { 1.0 / d });
+        let far = d.map(|d| if d == 0.0 { f64::INFINITY } else { 0.0 });
+        Self {
+            org: l.f64([o[0], o[1], o[2], 0.0]),
+            dir: l.f64([d[0], d[1], d[2], 0.0]),
+            inv: l.f64([inv[0], inv[1], inv[2], 0.0]),
+            far: l.f64([far[0], far[1], far[2], f64::INFINITY]),
+            parallel: d.contains(&0.0),
+            o: DVec3::from_array(o),
+            d: DVec3::from_array(d),
+        }
+    }
+}
+
+/// A ray in a grid's own frame, for the part of it in `[s0, s1]`.
+pub(super) struct Local<L: Lanes> {
+    /// Plane p of an axis is at parameter `p * per_plane + at_zero`.
+    pub per_plane: L::F64,
+    pub at_zero: L::F64,
+    /// The ray, in voxels, is at `s * speed + start`.
+    pub speed: L::F64,
+    pub start: L::F64,
     pub s0: f64,
     pub s1: f64,
     /// The ray's `t` is `s + base`, give or take `slack`.
@@ -31,29 +74,40 @@ pub(super) struct Local {
     pub slack: f64,
 }
 
-impl Local {
+impl<L: Lanes> Local<L> {
     /// The part of the ray in `[t0, t1]` that can lie in the grid's box.
     #[inline(always)]
-    pub fn enter(
-        grid: &Grid,
-        org: DVec3,
-        dir: DVec3,
-        inv: DVec3,
-        t0: f64,
-        t1: f64,
-    ) -> Option<Self> {
-        let o = org - DVec3::from_array(grid.lo);
-        if o.abs().cmpgt(DVec3::from_array(grid.cell) * REACH).any() {
-            return rebase(grid, org, dir, inv, t0, t1);
+    pub fn enter(l: L, grid: &Grid, course: &Course<L>, t0: f64, t1: f64) -> Option<Self> {
+        let [lo, extent, cell, inv_cell] = grid.lanes().map(|a| l.f64(a));
+        let mut o = l.sub_f64(course.org, lo);
+        let (mut low, mut high, mut base, mut slack) = (t0, t1, 0.0, 0.0);
+        if l.any_beyond(o, l.mul_f64(cell, l.splat_f64(REACH))) {
+            let moved = rebase(grid, course.o, course.d, t0, t1)?;
+            o = l.f64([moved.o[0], moved.o[1], moved.o[2], 0.0]);
+            (low, high, base, slack) = (moved.s0, moved.s1, moved.base, moved.slack);
         }
-        let (s0, s1) = slab(grid, o, dir, inv);
-        let (s0, s1) = (s0.max(t0), s1.min(t1));
-        (s0 <= s1).then_some(Self {
-            o,
+        if course.parallel && beside(l, grid, course, o) {
+            return None;
+        }
+        let minus_o = l.sub_f64(l.splat_f64(0.0), o);
+        let a = l.mul_f64(minus_o, course.inv);
+        let b = l.mul_f64(l.add_f64(extent, minus_o), course.inv);
+        let near = l.first(l.highest(l.sub_f64(l.min_f64(a, b), course.far)));
+        let far = l.first(l.lowest(l.add_f64(l.max_f64(a, b), course.far)));
+        let s0 = if near > low { near } else { low };
+        let s1 = if far < high { far } else { high };
+        if !(s0 <= s1) {
+            return None;
+        }
+        Some(Self {
+            per_plane: l.mul_f64(cell, course.inv),
+            at_zero: l.add_f64(a, course.far),
+            speed: l.mul_f64(course.dir, inv_cell),
+            start: l.mul_f64(o, inv_cell),
             s0,
             s1,
-            base: 0.0,
-            slack: 0.0,
+            base,
+            slack,
         })
     }
 
@@ -70,20 +124,9 @@ impl Local {
     }
 }
 
-/// Where the line is inside the box; an empty interval if nowhere.
-#[inline(always)]
-pub(super) fn slab(grid: &Grid, o: DVec3, dir: DVec3, inv: DVec3) -> (f64, f64) {
-    let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
-    for k in 0..3 {
-        if dir[k] == 0.0 {
-            if o[k] < 0.0 || o[k] > grid.extent[k] {
-                return (f64::INFINITY, f64::NEG_INFINITY);
-            }
-        } else {
-            let (a, b) = (-o[k] * inv[k], (grid.extent[k] - o[k]) * inv[k]);
-            near = near.max(a.min(b));
-            far = far.min(a.max(b));
-        }
-    }
-    (near, far)
+/// Whether a ray that does not move along some axis passes the box there.
+#[cold]
+fn beside<L: Lanes>(l: L, grid: &Grid, course: &Course<L>, o: L::F64) -> bool {
+    let o = l.array_f64(o);
+    (0..3).any(|k| course.d[k] == 0.0 && (o[k] < 0.0 || o[k] > grid.extent[k]))
 }

@@ -1,13 +1,14 @@
 //! Queries: one walk for all structures and all kinds of query.
 //!
 //! `walk` goes through grids, `local` prepares a ray for one grid, `rebase`
-//! does so for rays from very far away, `query` says what is looked for,
+//! does so for rays from very far away, `sieve` rejects triangles cheaply, `query` says what is looked for,
 //! `counters` what is counted.
 
 mod counters;
 mod local;
 mod query;
 mod rebase;
+mod sieve;
 mod walk;
 
 pub use counters::Counters;

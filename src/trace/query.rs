@@ -6,20 +6,33 @@ use crate::ray::{Hit, NONE, Ray};
 use crate::simd::fpenv;
 use crate::triangle::{Line, normal};
 
+use crate::simd::{AnyKernel, Lanes, dispatch};
+
 use super::counters::{Count, Counters, Uncounted};
 use super::walk::Walk;
 
 /// What a walk looks for.
 pub(crate) trait Query {
-    /// The largest `t` of interest; the walk ends beyond it.
+    /// The largest `t` of interest.
     fn limit(&self) -> f32;
+    /// The walk ends at parameters greater than this: no less than the next
+    /// `f32` after the limit, so that every t above it rounds to more.
+    fn beyond(&self) -> f64;
+    /// Whether triangle `number` was met already and need not be decided again.
+    fn known(&self, number: u32) -> bool;
     /// Takes a triangle met at `t <= limit`; `true` ends the walk.
     fn meet(&mut self, t: f32, triangle: &Triangle, number: u32) -> bool;
+}
+
+/// A number above which every parameter rounds to more than `limit`.
+fn beyond(limit: f32) -> f64 {
+    f64::from(limit.next_up())
 }
 
 /// The hit of smallest `t`, ties by lowest geometry, then primitive.
 pub(crate) struct Closest {
     limit: f32,
+    beyond: f64,
     geom: u32,
     prim: u32,
     number: u32,
@@ -27,12 +40,7 @@ pub(crate) struct Closest {
 
 impl Closest {
     pub fn new(tmax: f32) -> Self {
-        Self {
-            limit: tmax,
-            geom: NONE,
-            prim: NONE,
-            number: NONE,
-        }
+        Self { limit: tmax, beyond: beyond(tmax), geom: NONE, prim: NONE, number: NONE }
     }
 
     /// The number of the triangle found and its `t`, or `None`.
@@ -48,14 +56,20 @@ impl Query for Closest {
     }
 
     #[inline(always)]
+    fn beyond(&self) -> f64 {
+        self.beyond
+    }
+
+    #[inline(always)]
+    fn known(&self, number: u32) -> bool {
+        number == self.number
+    }
+
+    #[inline(always)]
     fn meet(&mut self, t: f32, triangle: &Triangle, number: u32) -> bool {
         if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
-            *self = Self {
-                limit: t,
-                geom: triangle.geom,
-                prim: triangle.prim,
-                number,
-            };
+            let Triangle { geom, prim, .. } = *triangle;
+            *self = Self { limit: t, beyond: beyond(t), geom, prim, number };
         }
         false
     }
@@ -71,6 +85,16 @@ impl Query for Any {
     #[inline(always)]
     fn limit(&self) -> f32 {
         self.tmax
+    }
+
+    #[inline(always)]
+    fn beyond(&self) -> f64 {
+        f64::from(self.tmax.next_up())
+    }
+
+    #[inline(always)]
+    fn known(&self, _: u32) -> bool {
+        false
     }
 
     #[inline(always)]
@@ -115,33 +139,22 @@ impl View<'_> {
         self.any(ray, counters)
     }
 
+    #[inline]
     fn closest<C: Count>(&self, ray: &Ray, counters: &mut C) -> Hit {
         fpenv::with_default(|| {
             if !usable(ray) || self.header().grids.count == 0 {
                 return Hit::miss(ray.tmax);
             }
-            let line = Line::new(ray);
-            let mut query = Closest::new(ray.tmax);
-            Walk::new(self, ray, &line, &mut query, counters).run();
-            match query.found() {
-                Some((number, t)) => hit(&line, self.sections().triangle(number), t),
-                None => Hit::miss(ray.tmax),
-            }
+            dispatch(ClosestKernel { view: self, ray, counters })
         })
     }
 
+    #[inline]
     fn any<C: Count>(&self, ray: &Ray, counters: &mut C) -> bool {
         fpenv::with_default(|| {
-            if !usable(ray) || self.header().grids.count == 0 {
-                return false;
-            }
-            let line = Line::new(ray);
-            let mut query = Any {
-                tmax: ray.tmax,
-                found: false,
-            };
-            Walk::new(self, ray, &line, &mut query, counters).run();
-            query.found
+            usable(ray)
+                && self.header().grids.count > 0
+                && dispatch(AnyHitKernel { view: self, ray, counters })
         })
     }
 
@@ -157,7 +170,7 @@ impl View<'_> {
             let mut query = Closest::new(ray.tmax);
             for (number, triangle) in (0..).zip(self.triangles()) {
                 if visible(ray, triangle)
-                    && let Some(t) = line.meet(&triangle.corners, query.limit())
+                    && let Some(t) = line.meet(&triangle.corners(), query.limit())
                 {
                     query.meet(t, triangle, number);
                 }
@@ -170,6 +183,43 @@ impl View<'_> {
     }
 }
 
+struct ClosestKernel<'a, C> {
+    view: &'a View<'a>,
+    ray: &'a Ray,
+    counters: &'a mut C,
+}
+
+impl<C: Count> AnyKernel for ClosestKernel<'_, C> {
+    type Out = Hit;
+    #[inline(always)]
+    fn run_on<L: Lanes>(self, lanes: L) -> Hit {
+        let query = Closest::new(self.ray.tmax);
+        let mut walk = Walk::new(lanes, self.view, self.ray, query, self.counters);
+        walk.run();
+        match walk.query.found() {
+            Some((number, t)) => hit(walk.line(), self.view.sections().triangle(number), t),
+            None => Hit::miss(self.ray.tmax),
+        }
+    }
+}
+
+struct AnyHitKernel<'a, C> {
+    view: &'a View<'a>,
+    ray: &'a Ray,
+    counters: &'a mut C,
+}
+
+impl<C: Count> AnyKernel for AnyHitKernel<'_, C> {
+    type Out = bool;
+    #[inline(always)]
+    fn run_on<L: Lanes>(self, lanes: L) -> bool {
+        let query = Any { tmax: self.ray.tmax, found: false };
+        let mut walk = Walk::new(lanes, self.view, self.ray, query, self.counters);
+        walk.run();
+        walk.query.found
+    }
+}
+
 /// Whether the ray may meet this triangle: masks share a bit and it is not the
 /// one to skip.
 #[inline(always)]
@@ -179,12 +229,12 @@ pub(crate) fn visible(ray: &Ray, triangle: &Triangle) -> bool {
 }
 
 fn hit(line: &Line, triangle: &Triangle, t: f32) -> Hit {
-    let (u, v) = line.weights(&triangle.corners);
+    let (u, v) = line.weights(&triangle.corners());
     Hit {
         t,
         u,
         v,
-        ng: normal(&triangle.corners),
+        ng: normal(&triangle.corners()),
         geom: triangle.geom,
         prim: triangle.prim,
         inst: NONE,

@@ -8,64 +8,62 @@
 
 use glam::DVec3;
 
-use super::local::{Local, REACH, slab};
+use super::local::REACH;
 use crate::arena::layout::Grid;
 
 const STEPS: usize = 5;
 /// Terms of an exact local origin: the origin, the corner, two per step.
 const TERMS: usize = 2 + 2 * STEPS;
 
-/// [`Local::enter`] for an origin beyond reach.
+/// A ray with its origin moved to a grid.
+pub(super) struct Moved {
+    /// The new origin, relative to the grid's lowest corner.
+    pub o: DVec3,
+    /// The range of the new parameter.
+    pub s0: f64,
+    pub s1: f64,
+    /// The old parameter is the new one plus `base`, give or take `slack`.
+    pub base: f64,
+    pub slack: f64,
+}
+
+/// Moves an origin that is beyond reach; `None` if the ray misses the box.
 #[cold]
 #[inline(never)]
-pub(super) fn rebase(
-    grid: &Grid,
-    org: DVec3,
-    dir: DVec3,
-    inv: DVec3,
-    t0: f64,
-    t1: f64,
-) -> Option<Local> {
+pub(super) fn rebase(grid: &Grid, org: DVec3, dir: DVec3, t0: f64, t1: f64) -> Option<Moved> {
     let lo = DVec3::from_array(grid.lo);
     let reach = DVec3::from_array(grid.cell) * REACH;
-    let mut base = [0.0; STEPS];
+    let mut steps = [0.0; STEPS];
     let mut o = org - lo;
     for step in 0..STEPS {
         if !o.abs().cmpgt(reach).any() {
             break;
         }
-        base[step] = entry(grid, o, inv, dir);
-        o = DVec3::from_array(core::array::from_fn(|k| {
-            place(org[k], lo[k], dir[k], &base)
-        }));
+        steps[step] = entry(grid, o, dir);
+        o = DVec3::from_array(core::array::from_fn(|k| place(org[k], lo[k], dir[k], &steps)));
     }
     // A ray that meets the box is in reach by now: each step places the entry
     // to within 2^-50 of the distance that was left.
     if o.abs().cmpgt(reach).any() {
         return None;
     }
-    let total: f64 = base.iter().sum();
-    let slack = base.iter().map(|b| b.abs()).sum::<f64>() * 1e-15;
-    let (s0, s1) = slab(grid, o, dir, inv);
+    let base: f64 = steps.iter().sum();
+    let mut slack = steps.iter().map(|b| b.abs()).sum::<f64>() * 1e-15;
     // The bounds are compared as parameters of the whole ray.
-    let low = (t0 - total - slack) - (t0.abs().min(f64::MAX)) * 1e-15;
-    let high = (t1 - total + slack) + (t1.abs().min(f64::MAX)) * 1e-15;
-    let (s0, s1) = (s0.max(low), s1.min(high));
-    (s0 <= s1).then_some(Local {
-        o,
-        s0,
-        s1,
-        base: total,
-        slack: slack + (s0.abs() + s1.abs()) * 1e-15,
-    })
+    let s0 = (t0 - base - slack) - t0.abs().min(f64::MAX) * 1e-15;
+    let s1 = (t1 - base + slack) + t1.abs().min(f64::MAX) * 1e-15;
+    // Parameters within the box are off by their own rounding too.
+    let across = (DVec3::from_array(grid.extent) + o.abs()).max_element() / dir.abs().max_element();
+    slack += across * 1e-15;
+    Some(Moved { o, s0, s1, base, slack })
 }
 
 /// The parameter at which the ray has passed the near planes of the box.
-fn entry(grid: &Grid, o: DVec3, inv: DVec3, dir: DVec3) -> f64 {
+fn entry(grid: &Grid, o: DVec3, dir: DVec3) -> f64 {
     let mut near = f64::NEG_INFINITY;
     for k in 0..3 {
         if dir[k] != 0.0 {
-            near = near.max((-o[k] * inv[k]).min((grid.extent[k] - o[k]) * inv[k]));
+            near = near.max((-o[k] / dir[k]).min((grid.extent[k] - o[k]) / dir[k]));
         }
     }
     near
@@ -110,19 +108,9 @@ mod tests {
         let (far, dir) = (1e20_f32, -0.3_f32);
         let near = -f64::from(far) / f64::from(dir);
         // far + dir * (near + more) = dir * more, exactly, but for near's rounding.
-        let rest = place(
-            f64::from(far),
-            0.0,
-            f64::from(dir),
-            &[near, 0.0, 0.0, 0.0, 0.0],
-        );
+        let rest = place(f64::from(far), 0.0, f64::from(dir), &[near, 0.0, 0.0, 0.0, 0.0]);
         assert!(rest.abs() < 1e5);
-        let moved = place(
-            f64::from(far),
-            0.0,
-            f64::from(dir),
-            &[near, 2.0, 0.0, 0.0, 0.0],
-        );
+        let moved = place(f64::from(far), 0.0, f64::from(dir), &[near, 2.0, 0.0, 0.0, 0.0]);
         assert!((moved - rest - 2.0 * f64::from(dir)).abs() < 1e-9);
     }
 }

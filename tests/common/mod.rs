@@ -1,6 +1,11 @@
 //! What the integration tests share: soups, configurations, bit comparison.
 #![allow(dead_code, missing_docs)]
 
+pub mod aligned;
+pub mod everywhere;
+pub mod layout;
+pub mod native;
+
 use hug::{Delta, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Ray, Scene, Structure};
 use hug_kit::{Bounds, Mesh, rays, soups};
 
@@ -46,6 +51,12 @@ pub fn configurations() -> Vec<(&'static str, Options)> {
         ("u.f3 mean", Options { delta: Delta::Mean, connectivity: 0.3, ..three }),
         ("u.f4", Options { filter: Filter::Thresholds { count: 3, at }, min_cluster: 1, ..hug }),
     ]
+}
+
+/// The three structures as anybody would build them.
+pub fn structures() -> [(&'static str, Options); 3] {
+    [("uniform", Structure::Uniform), ("recursive", Structure::Recursive), ("HUG", Structure::Hug)]
+        .map(|(name, structure)| (name, Options { structure, ..Options::default() }))
 }
 
 pub fn build(mesh: &Mesh, options: &Options) -> Scene {

@@ -1,0 +1,18 @@
+/* Bad input to every function of hug.h, and the promises that a program can hold
+ * the library to: each failed expectation is printed, and makes the exit status 1. */
+#include <stdio.h>
+
+#include "abi/check.h"
+
+int main(void)
+{
+    check_descriptors();
+    check_geometries();
+    check_build_into();
+    check_allocators();
+    check_open();
+    check_queries();
+    check_statistics();
+    printf("abi_errors: %u expectations, %u failed\n", check_count(), check_failures());
+    return check_failures() ? 1 : 0;
+}

@@ -1,0 +1,156 @@
+/* Prints how this compiler lays the structs of hug.h out, one line each:
+ *     STRUCT SIZE ALIGNMENT
+ *     STRUCT.FIELD OFFSET
+ * for a test to compare with the library's own idea of them. */
+#include <stddef.h>
+#include <stdio.h>
+
+#include "hug.h"
+
+/* C99 has no alignof: an offset after one char says the same. */
+#define ALIGNMENT_PROBE(type) \
+    typedef struct {          \
+        char first;           \
+        type second;          \
+    } probe_##type
+
+ALIGNMENT_PROBE(hug_geometry);
+ALIGNMENT_PROBE(hug_build_desc);
+ALIGNMENT_PROBE(hug_ray);
+ALIGNMENT_PROBE(hug_hit);
+ALIGNMENT_PROBE(hug_counters);
+ALIGNMENT_PROBE(hug_level_stats);
+ALIGNMENT_PROBE(hug_scene_stats);
+
+#define STRUCT(type)                                          \
+    printf("%s %u %u\n", #type, (unsigned)sizeof(type),       \
+           (unsigned)offsetof(probe_##type, second))
+#define FIELD(type, field) printf("%s.%s %u\n", #type, #field, (unsigned)offsetof(type, field))
+
+static void print_geometry(void)
+{
+    STRUCT(hug_geometry);
+    FIELD(hug_geometry, vertices);
+    FIELD(hug_geometry, vertex_count);
+    FIELD(hug_geometry, vertex_stride);
+    FIELD(hug_geometry, indices);
+    FIELD(hug_geometry, triangle_count);
+    FIELD(hug_geometry, index_type);
+    FIELD(hug_geometry, mask);
+}
+
+static void print_build_desc(void)
+{
+    STRUCT(hug_build_desc);
+    FIELD(hug_build_desc, struct_size);
+    FIELD(hug_build_desc, geometries);
+    FIELD(hug_build_desc, geometry_count);
+    FIELD(hug_build_desc, structure);
+    FIELD(hug_build_desc, gridding);
+    FIELD(hug_build_desc, counts);
+    FIELD(hug_build_desc, alpha);
+    FIELD(hug_build_desc, world_alpha);
+    FIELD(hug_build_desc, maxp);
+    FIELD(hug_build_desc, max_depth);
+    FIELD(hug_build_desc, filter_levels);
+    FIELD(hug_build_desc, filter_share);
+    FIELD(hug_build_desc, filter_thresholds);
+    FIELD(hug_build_desc, connectivity);
+    FIELD(hug_build_desc, delta);
+    FIELD(hug_build_desc, hierarchy);
+    FIELD(hug_build_desc, min_cluster);
+    FIELD(hug_build_desc, max_refs);
+    FIELD(hug_build_desc, flags);
+    FIELD(hug_build_desc, alloc);
+    FIELD(hug_build_desc, free);
+    FIELD(hug_build_desc, user);
+}
+
+static void print_ray(void)
+{
+    STRUCT(hug_ray);
+    FIELD(hug_ray, org);
+    FIELD(hug_ray, tmin);
+    FIELD(hug_ray, dir);
+    FIELD(hug_ray, tmax);
+    FIELD(hug_ray, mask);
+    FIELD(hug_ray, flags);
+    FIELD(hug_ray, skip_geom);
+    FIELD(hug_ray, skip_prim);
+}
+
+static void print_hit(void)
+{
+    STRUCT(hug_hit);
+    FIELD(hug_hit, t);
+    FIELD(hug_hit, u);
+    FIELD(hug_hit, v);
+    FIELD(hug_hit, ng);
+    FIELD(hug_hit, geom);
+    FIELD(hug_hit, prim);
+    FIELD(hug_hit, inst);
+    FIELD(hug_hit, reserved);
+}
+
+static void print_counters(void)
+{
+    STRUCT(hug_counters);
+    FIELD(hug_counters, grids);
+    FIELD(hug_counters, voxels);
+    FIELD(hug_counters, tests);
+    FIELD(hug_counters, hits);
+}
+
+static void print_level_stats(void)
+{
+    STRUCT(hug_level_stats);
+    FIELD(hug_level_stats, objects);
+    FIELD(hug_level_stats, grids);
+    FIELD(hug_level_stats, voxels);
+    FIELD(hug_level_stats, object_voxels);
+    FIELD(hug_level_stats, grid_voxels);
+    FIELD(hug_level_stats, object_refs);
+    FIELD(hug_level_stats, grid_refs);
+    FIELD(hug_level_stats, volume);
+    FIELD(hug_level_stats, object_mean);
+    FIELD(hug_level_stats, object_deviation);
+    FIELD(hug_level_stats, object_mean_filled);
+    FIELD(hug_level_stats, object_deviation_filled);
+    FIELD(hug_level_stats, grid_mean);
+    FIELD(hug_level_stats, grid_deviation);
+    FIELD(hug_level_stats, grid_mean_filled);
+    FIELD(hug_level_stats, grid_deviation_filled);
+    FIELD(hug_level_stats, bytes);
+}
+
+static void print_scene_stats(void)
+{
+    STRUCT(hug_scene_stats);
+    FIELD(hug_scene_stats, struct_size);
+    FIELD(hug_scene_stats, structure);
+    FIELD(hug_scene_stats, levels);
+    FIELD(hug_scene_stats, triangles);
+    FIELD(hug_scene_stats, dropped_non_finite);
+    FIELD(hug_scene_stats, dropped_degenerate);
+    FIELD(hug_scene_stats, counts);
+    FIELD(hug_scene_stats, reserved);
+    FIELD(hug_scene_stats, bytes);
+    FIELD(hug_scene_stats, triangle_bytes);
+    FIELD(hug_scene_stats, grid_bytes);
+    FIELD(hug_scene_stats, voxel_bytes);
+    FIELD(hug_scene_stats, ref_bytes);
+    FIELD(hug_scene_stats, total);
+    FIELD(hug_scene_stats, level);
+}
+
+int main(void)
+{
+    print_geometry();
+    print_build_desc();
+    print_ray();
+    print_hit();
+    print_counters();
+    print_level_stats();
+    print_scene_stats();
+    return 0;
+}

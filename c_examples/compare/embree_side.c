@@ -1,0 +1,79 @@
+#include "compare/embree_side.h"
+
+#include <string.h>
+
+#include "message.h"
+
+static void on_error(void *user, enum RTCError code, const char *text)
+{
+    (void)user;
+    message("Embree: %s (error %d)", text ? text : "no description", (int)code);
+}
+
+/* Called for every allocation (bytes above 0) and release (below) of the device. */
+static bool on_memory(void *user, ssize_t bytes, bool post)
+{
+    (void)post;
+    ((embree_side *)user)->bytes += bytes;
+    return true;
+}
+
+/* on_error has said what the matter is. */
+static int failed(embree_side *e)
+{
+    return rtcGetDeviceError(e->device) != RTC_ERROR_NONE;
+}
+
+int embree_open(const scene *from, embree_side *out)
+{
+    memset(out, 0, sizeof *out);
+    out->from = from;
+    out->device = rtcNewDevice("threads=1");
+    if (!out->device) {
+        message("Embree: no device (error %d)", (int)rtcGetDeviceError(NULL));
+        return 0;
+    }
+    rtcSetDeviceErrorFunction(out->device, on_error, NULL);
+    rtcSetDeviceMemoryMonitorFunction(out->device, on_memory, out);
+    return !failed(out);
+}
+
+int embree_build(embree_side *e)
+{
+    const scene *s = e->from;
+    RTCGeometry geometry = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    e->built = rtcNewScene(e->device);
+    if (!geometry || !e->built || failed(e)) {
+        message("Embree: cannot make a scene for %s", s->name);
+        return 0;
+    }
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                               s->vertices, 0, 3 * sizeof(float), s->vertex_count);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, s->indices,
+                               0, 3 * sizeof(uint32_t), s->triangle_count);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(e->built, geometry, 0);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneBuildQuality(e->built, RTC_BUILD_QUALITY_MEDIUM);
+    rtcCommitScene(e->built);
+    if (failed(e)) {
+        message("Embree: cannot build %s", s->name);
+        return 0;
+    }
+    return 1;
+}
+
+void embree_release(embree_side *e)
+{
+    if (e->built)
+        rtcReleaseScene(e->built);
+    e->built = NULL;
+}
+
+void embree_close(embree_side *e)
+{
+    embree_release(e);
+    if (e->device)
+        rtcReleaseDevice(e->device);
+    e->device = NULL;
+}

@@ -1,0 +1,102 @@
+//! Which instruction set runs: found out once, or forced for tests.
+
+use core::sync::atomic::{AtomicU8, Ordering};
+
+use super::lanes::{Kernel, Lanes};
+use super::portable::Portable;
+#[cfg(target_arch = "x86_64")]
+use super::x86::Avx2;
+
+/// An instruction set that queries can run on. Results do not depend on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Isa {
+    /// What every processor of the target has.
+    Portable = 1,
+    /// AVX2 and FMA.
+    Avx2 = 2,
+}
+
+impl Isa {
+    /// Lower-case name.
+    #[must_use]
+    pub const fn name(self) -> &'static core::ffi::CStr {
+        match self {
+            Self::Portable => c"portable",
+            Self::Avx2 => c"avx2",
+        }
+    }
+
+    fn available(self) -> bool {
+        match self {
+            Self::Portable => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => Avx2::detect().is_some(),
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Avx2 => false,
+        }
+    }
+}
+
+/// 0 until the first query, then the set in use.
+static CHOSEN: AtomicU8 = AtomicU8::new(0);
+
+#[cold]
+fn choose() -> u8 {
+    let best = if Isa::Avx2.available() { Isa::Avx2 } else { Isa::Portable };
+    // Threads that race here store the same value.
+    CHOSEN.store(best as u8, Ordering::Relaxed);
+    best as u8
+}
+
+#[inline(always)]
+fn chosen() -> u8 {
+    match CHOSEN.load(Ordering::Relaxed) {
+        0 => choose(),
+        set => set,
+    }
+}
+
+/// The instruction set in use by this process.
+#[must_use]
+pub fn isa() -> Isa {
+    if chosen() == Isa::Avx2 as u8 { Isa::Avx2 } else { Isa::Portable }
+}
+
+/// Makes all queries of the process use `isa`, for tests and comparisons.
+/// `false`, and no change, if the processor does not have it.
+pub fn force_isa(isa: Isa) -> bool {
+    let there = isa.available();
+    if there {
+        CHOSEN.store(isa as u8, Ordering::Relaxed);
+    }
+    there
+}
+
+/// A kernel for every instruction set.
+pub(crate) trait AnyKernel: Sized {
+    type Out;
+    fn run_on<L: Lanes>(self, lanes: L) -> Self::Out;
+}
+
+struct On<K>(K);
+
+impl<K: AnyKernel, L: Lanes> Kernel<L> for On<K> {
+    type Out = K::Out;
+    #[inline(always)]
+    fn run(self, lanes: L) -> K::Out {
+        self.0.run_on(lanes)
+    }
+}
+
+/// Runs a kernel on the instruction set in use.
+#[inline(always)]
+pub(crate) fn dispatch<K: AnyKernel>(kernel: K) -> K::Out {
+    #[cfg(target_arch = "x86_64")]
+    if chosen() == Isa::Avx2 as u8
+        && let Some(lanes) = Avx2::detect()
+    {
+        return lanes.run(On(kernel));
+    }
+    Portable.run(On(kernel))
+}

@@ -1,0 +1,75 @@
+//! The structs of include/hug.h are laid out by the C and C++ compilers as by
+//! Rust's: sizes, alignments and the offset of every field.
+#![allow(missing_docs)]
+#![cfg(feature = "capi")]
+
+mod common;
+
+use common::native::{library, make, run};
+use hug::capi::types::{
+    hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_level_stats, hug_ray, hug_scene_stats,
+};
+use std::mem::{align_of, offset_of, size_of};
+use std::process::Command;
+
+/// The lines that abi_layout prints of a struct. The pattern without `..` makes
+/// sure that no field is left out.
+macro_rules! lines {
+    ($($type:ident { $($field:ident),* $(,)? })*) => {
+        [$({
+            let _ = |whole: $type| { let $type { $($field: _),* } = whole; };
+            let name = stringify!($type);
+            let mut lines = vec![format!("{name} {} {}", size_of::<$type>(), align_of::<$type>())];
+            $(lines.push(format!(
+                "{name}.{} {}", stringify!($field), offset_of!($type, $field)
+            ));)*
+            lines
+        }),*].concat()
+    };
+}
+
+fn expected() -> Vec<String> {
+    lines! {
+        hug_geometry {
+            vertices, vertex_count, vertex_stride, indices, triangle_count, index_type, mask,
+        }
+        hug_build_desc {
+            struct_size, geometries, geometry_count, structure, gridding, counts, alpha,
+            world_alpha, maxp, max_depth, filter_levels, filter_share, filter_thresholds,
+            connectivity, delta, hierarchy, min_cluster, max_refs, flags, alloc, free, user,
+        }
+        hug_ray { org, tmin, dir, tmax, mask, flags, skip_geom, skip_prim }
+        hug_hit { t, u, v, ng, geom, prim, inst, reserved }
+        hug_counters { grids, voxels, tests, hits }
+        hug_level_stats {
+            objects, grids, voxels, object_voxels, grid_voxels, object_refs, grid_refs, volume,
+            object_mean, object_deviation, object_mean_filled, object_deviation_filled,
+            grid_mean, grid_deviation, grid_mean_filled, grid_deviation_filled, bytes,
+        }
+        hug_scene_stats {
+            struct_size, structure, levels, triangles, dropped_non_finite, dropped_degenerate,
+            counts, reserved, bytes, triangle_bytes, grid_bytes, voxel_bytes, ref_bytes, total,
+            level,
+        }
+    }
+}
+
+#[test]
+fn c_and_rust_agree() {
+    library("staticlib", &["--features", "capi"], "release");
+    for mode in ["c", "c++"] {
+        let bin = make(mode, &["abi_layout"]);
+        let printed = run(&mut Command::new(bin.join("abi_layout")));
+        let printed: Vec<&str> = printed.lines().collect();
+        assert_eq!(printed, expected(), "compiled as {mode}");
+    }
+}
+
+/// Frozen, whatever the compilers agree on.
+#[test]
+fn rays_and_hits_keep_their_sizes() {
+    assert_eq!((size_of::<hug_ray>(), align_of::<hug_ray>()), (48, 4));
+    assert_eq!((size_of::<hug_hit>(), align_of::<hug_hit>()), (40, 4));
+    let (ray, hit) = (size_of::<hug::Ray>(), size_of::<hug::Hit>());
+    assert_eq!((ray, hit), (48, 40));
+}

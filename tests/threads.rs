@@ -1,0 +1,47 @@
+//! Any number of threads can query one scene; each gets what one alone gets.
+#![allow(missing_docs)]
+
+mod common;
+
+use common::{adversarial_rays, build, ray, structures};
+use hug::{Hit, Ray};
+use hug_kit::soups;
+
+#[test]
+fn eight_threads_get_what_one_gets() {
+    let mesh = soups::clustered(3000);
+    let rays: Vec<Ray> = adversarial_rays(&mesh, 3, 500).iter().map(|(_, r)| ray(r)).collect();
+    let bits = |hit: Hit| bytemuck::cast::<Hit, [u32; 10]>(hit);
+    for (name, options) in structures() {
+        let scene = build(&mesh, &options);
+        let trace = || -> Vec<([u32; 10], bool)> {
+            let view = scene.view();
+            rays.iter().map(|r| (bits(view.intersect(r)), view.occluded(r))).collect()
+        };
+        let alone = trace();
+        assert!(alone.iter().any(|(_, hit)| *hit), "{name}: nothing was hit");
+        std::thread::scope(|scope| {
+            let others: Vec<_> = (0..8).map(|_| scope.spawn(trace)).collect();
+            for other in others {
+                let found = other.join().expect("no query panics");
+                assert!(found == alone, "{name}: a thread found something else");
+            }
+        });
+    }
+}
+
+/// Builds share nothing either: no global state, no lock.
+#[test]
+fn eight_builds_at_once_make_the_same_bytes() {
+    let mesh = soups::tangle(1, 3000);
+    for (name, options) in structures() {
+        let alone = build(&mesh, &options);
+        std::thread::scope(|scope| {
+            let others: Vec<_> = (0..8).map(|_| scope.spawn(|| build(&mesh, &options))).collect();
+            for other in others {
+                let scene = other.join().expect("no build panics");
+                assert!(scene.view().bytes() == alone.view().bytes(), "{name}");
+            }
+        });
+    }
+}
