@@ -18,19 +18,14 @@ impl Aabb {
     pub fn of(points: &[[f32; 3]]) -> Self {
         let mut b = Self::EMPTY;
         for p in points {
-            for k in 0..3 {
-                b.lo[k] = b.lo[k].min(p[k]);
-                b.hi[k] = b.hi[k].max(p[k]);
-            }
+            b.join(&Self { lo: *p, hi: *p });
         }
         b
     }
 
     pub fn join(&mut self, other: &Self) {
-        for k in 0..3 {
-            self.lo[k] = self.lo[k].min(other.lo[k]);
-            self.hi[k] = self.hi[k].max(other.hi[k]);
-        }
+        self.lo = core::array::from_fn(|k| self.lo[k].min(other.lo[k]));
+        self.hi = core::array::from_fn(|k| self.hi[k].max(other.hi[k]));
     }
 
     /// The length of an object in the sense of section 1.3: its box's diagonal.

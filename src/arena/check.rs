@@ -15,6 +15,7 @@ use crate::options::{MAX_COUNT, MAX_LEVELS};
 ///
 /// # Errors
 /// The reason why these bytes cannot be an arena.
+#[cfg(feature = "capi")]
 pub fn check_header(bytes: &[u8]) -> Result<(), Error> {
     header(bytes).map(|_| ())
 }

@@ -9,7 +9,9 @@ mod check;
 pub(crate) mod layout;
 mod view;
 
+#[cfg(feature = "capi")]
 pub use check::check_header;
+#[cfg(feature = "capi")]
 pub use layout::ALIGN;
 pub(crate) use view::Sections;
 pub use view::View;

@@ -140,7 +140,7 @@ fn fill(
     objects: &mut [u32],
 ) -> Result<(), Error> {
     let inner = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
-    for number in 0..draft.grids().len() {
+    for (number, range) in ranges.iter().enumerate().take(draft.grids().len()) {
         let (mut count, outer) = (0, number == 0);
         let mut add = |object: u32| {
             objects[count] = object;
@@ -149,7 +149,7 @@ fn fill(
         if outer {
             (0..).zip(home).filter(|(_, home)| **home == world).for_each(|(i, _)| add(i));
         } else {
-            let [start, end] = ranges[number];
+            let [start, end] = *range;
             order[start as usize..end as usize].iter().for_each(|&i| add(i));
         }
         let below = links.iter().take_while(|l| l[0] as usize == number).count();

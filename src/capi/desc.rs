@@ -61,8 +61,8 @@ impl<'a> Parsed<'a> {
 
     /// Number of triangles in all geometries.
     pub fn triangle_count(&self) -> Result<usize, Error> {
-        let counts = self.geometries.iter().map(|g| g.triangle_count);
-        let sum = counts.fold(Some(0usize), |n: Option<usize>, c| n?.checked_add(c));
+        let mut counts = self.geometries.iter().map(|g| g.triangle_count);
+        let sum = counts.try_fold(0usize, usize::checked_add);
         sum.filter(|&n| n <= MAX_TRIANGLES).ok_or(Error::Limit)
     }
 
@@ -165,7 +165,7 @@ fn check(g: &hug_geometry) -> Result<(), Error> {
     {
         return Err(Error::Null);
     }
-    if !g.vertices.is_aligned() || stride(g) % 4 != 0 || stride(g) < 12 {
+    if !g.vertices.is_aligned() || !stride(g).is_multiple_of(4) || stride(g) < 12 {
         return Err(Error::Alignment);
     }
     let align = if g.index_type == HUG_INDEX_U16 { 2 } else { 4 };

@@ -96,10 +96,7 @@ impl<L: Lanes> Local<L> {
         let far = l.first(l.lowest(l.add_f64(l.max_f64(a, b), course.far)));
         let s0 = if near > low { near } else { low };
         let s1 = if far < high { far } else { high };
-        if !(s0 <= s1) {
-            return None;
-        }
-        Some(Self {
+        (s0 <= s1).then(|| Self {
             per_plane: l.mul_f64(cell, course.inv),
             at_zero: l.add_f64(a, course.far),
             speed: l.mul_f64(course.dir, inv_cell),

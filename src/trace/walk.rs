@@ -132,7 +132,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             if tag != EMPTY && self.meet(tag, payload, refs, local.t_low(s), local.t_high(until)) {
                 return true;
             }
-            if !(out < local.s1) {
+            if out >= local.s1 {
                 return false;
             }
             s = if out > s { out } else { s };

@@ -6,7 +6,7 @@ use hug_kit::{Mesh, soups};
 
 /// Fingerprints of the calibrated scenes; a change here makes every recorded figure void.
 const FROZEN: [(&str, usize, u64); 8] = [
-    ("kitchen", 21038, 0x466a_3b48_c425_43fa),
+    ("kitchen", 20987, 0x1cd6_92f3_47ba_ec53),
     ("building_walls", 33060, 0xa9b7_fe05_31d9_4b15),
     ("building", 118670, 0x3f1f_e7d8_4aa0_754b),
     ("city", 52526, 0xa9c6_8974_f03b_8c51),

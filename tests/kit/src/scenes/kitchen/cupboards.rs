@@ -7,7 +7,7 @@ use glam::DVec3;
 const UNIT: f64 = 0.6;
 const TOP: f64 = 0.9;
 /// The middle of the scouring pad, on the worktop beside the sink.
-const PAD: DVec3 = DVec3::new(3.493, 0.907, 0.436);
+const PAD: DVec3 = DVec3::new(3.49, 0.907, 0.439);
 const STREAM: u64 = 25;
 
 pub fn rows(m: &mut Model) {
@@ -30,7 +30,7 @@ pub fn rows(m: &mut Model) {
     }
     m.within(stand(at(3.0, TOP, 0.32), 0.0), sink);
     m.within(stand(PAD, 0.0), scouring_pad);
-    m.slab(at(3.585, TOP, 0.42), 0.06, 0.03, 0.09);
+    m.slab(at(3.56, TOP, 0.42), 0.045, 0.018, 0.027);
     tiles(m);
 }
 
