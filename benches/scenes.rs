@@ -22,6 +22,7 @@ fn main() -> ExitCode {
         checks.extend(length_checks(name, &ours, &paper));
     }
     let figures = kitchen::figures(&scenes::kitchen().mesh).expect("the kitchen builds");
+    print::readings();
     for figure in &figures {
         print::figure(figure);
         if figure.calibrated {

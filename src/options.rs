@@ -4,6 +4,7 @@
 //! otherwise; a zeroed C descriptor means the same defaults.
 
 use crate::Error;
+use crate::simd::fpenv;
 
 /// Most levels a hierarchy can have: the depth of nested grids.
 pub const MAX_LEVELS: usize = 16;
@@ -153,6 +154,10 @@ impl Options {
     /// # Errors
     /// [`Error::InvalidValue`] if one is not.
     pub fn check(&self) -> Result<(), Error> {
+        fpenv::with_default(|| self.check_ranges())
+    }
+
+    fn check_ranges(&self) -> Result<(), Error> {
         let alpha = |a: f32| (0.1..=16.0).contains(&a);
         let explicit = self.counts.iter().all(|&n| (1..=MAX_COUNT).contains(&n));
         let filter = match self.filter {

@@ -9,6 +9,7 @@
 use crate::arena::View;
 use crate::arena::layout::{Grid, LIST_HEAD};
 use crate::options::{MAX_LEVELS, Structure};
+use crate::simd::fpenv;
 
 /// A mean and a standard deviation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,9 +25,11 @@ impl Moments {
         if count == 0 {
             return Self::default();
         }
-        let mean = sum as f64 / count as f64;
-        let variance = (squares as f64 / count as f64 - mean * mean).max(0.0);
-        Self { mean, deviation: crate::math::sqrt(variance) }
+        fpenv::with_default(|| {
+            let mean = sum as f64 / count as f64;
+            let variance = (squares as f64 / count as f64 - mean * mean).max(0.0);
+            Self { mean, deviation: crate::math::sqrt(variance) }
+        })
     }
 }
 
@@ -157,6 +160,10 @@ impl Stats {
     /// allocation.
     #[must_use]
     pub fn of(view: &View<'_>) -> Self {
+        fpenv::with_default(|| Self::count(view))
+    }
+
+    fn count(view: &View<'_>) -> Self {
         let h = view.header();
         let grids = view.grids();
         let levels = h.levels as usize;

@@ -27,7 +27,7 @@ pub fn lengths(name: &str, ours: &Lengths, paper: &Lengths) {
 fn number(x: f64) -> String {
     match x.abs() {
         0.0 => "0".into(),
-        a if a < 0.001 => format!("{x:.2e}"),
+        a if a < 0.01 => format!("{x:.2e}"),
         a if a < 10.0 => format!("{x:.3}"),
         a if a < 100.0 => format!("{x:.2}"),
         _ => format!("{x:.1}"),
@@ -67,6 +67,15 @@ fn sums(whose: &str, s: &Sums) {
     let counts = [s.objects, s.grids, s.voxels, s.pointers].map(|n| n.to_string());
     let name = if whose == "ours" { "sum" } else { "" };
     line(name, whose, &[&counts[..], &[format!("{:.2} MB", s.megabytes)]].concat());
+}
+
+/// Which of the readings in `figures::table` the tables and the checks take.
+pub fn readings() {
+    println!("\nThe tables and the tolerances read as figures 14 and 17 print: %obj sums to 100,");
+    println!(
+        "mu_og is %obj / %grids, mu_ov counts references. Figure 12 prints objects, 0.952 and"
+    );
+    println!("3.35: its references a voxel follow from its sums.");
 }
 
 pub fn figure(figure: &Figure) {

@@ -6,7 +6,7 @@
 
 use super::layout::{
     ALIGN, BYTE_ORDER, EMPTY, EXIT_BITS, EXIT_MAX, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD,
-    MAGIC, PAYLOAD, TAG_SHIFT, Triangle, VERSION, sections,
+    MAGIC, MAX_WALKS, PAYLOAD, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::Error;
 use crate::options::{MAX_COUNT, MAX_LEVELS};
@@ -76,6 +76,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
         require(next <= counts.1)?;
         end = lists(i, grid, grids, voxels, (refs, end), counts.3)?;
     }
+    require(u64::from(grids[0].walks) <= MAX_WALKS * counts.0)?;
     require(next == counts.1 && end == refs.len())
 }
 

@@ -33,6 +33,11 @@ pub const EMPTY: u32 = 0;
 pub const LIST: u32 = 1;
 /// One grid and nothing else: the payload is its number.
 pub const GRID: u32 = 2;
+/// Largest `walks` of the outermost grid, per grid of the arena: in a tree it is
+/// at most 1, in the paper's hierarchy a little more; without a bound, a few
+/// kilobytes of grids that all name each other would keep a ray for hours.
+pub const MAX_WALKS: u64 = 16;
+
 /// Words of a list before its references.
 pub const LIST_HEAD: usize = 2;
 

@@ -15,6 +15,7 @@ use super::layout::{
     GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
 use crate::Error;
+use crate::simd::fpenv;
 
 /// A scene in borrowed memory: an arena ready for queries. Copying it is free.
 #[derive(Clone, Copy)]
@@ -36,7 +37,7 @@ impl<'a> View<'a> {
     /// [`Error::Alignment`] unless the bytes are aligned to 64; otherwise what
     /// is wrong with them.
     pub fn open(bytes: &'a [u8]) -> Result<Self, Error> {
-        check::check(bytes)?;
+        fpenv::with_default(|| check::check(bytes))?;
         Ok(Self { base: bytes.as_ptr(), marker: PhantomData })
     }
 

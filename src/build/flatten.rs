@@ -7,8 +7,8 @@ use super::draft::{Draft, Span};
 use super::exit::Exits;
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, PAYLOAD,
-    Section, TAG_SHIFT, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
+    PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
 
@@ -58,7 +58,8 @@ impl<'s> Plan<'s> {
     /// Writes the arena to the start of `arena`.
     ///
     /// # Errors
-    /// [`Error::BufferTooSmall`], or [`Error::Alignment`] unless `arena` is
+    /// [`Error::Limit`] if, in the paper's hierarchy, clusters overlap so much that
+    /// the grids of a voxel are entered over and over; [`Error::BufferTooSmall`], or [`Error::Alignment`] unless `arena` is
     /// aligned to 64.
     pub fn write(self, arena: &mut [u8]) -> Result<(), Error> {
         if !(arena.as_ptr() as usize).is_multiple_of(ALIGN) {
@@ -88,6 +89,9 @@ impl<'s> Plan<'s> {
         let table = if self.exits { &mut *self.table } else { &mut [] };
         flatten(&self.draft, self.numbers, table, grids, voxels, refs);
         count_walks(grids, voxels, refs);
+        if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {
+            return Err(Error::Limit);
+        }
         head.objects = count_objects(grids, voxels, refs, self.numbers);
         Ok(())
     }

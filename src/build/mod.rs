@@ -45,8 +45,10 @@ pub fn measure(soup: &[Geometry<'_>], options: &Options) -> Result<Sizes, Error>
 
 /// [`measure`] for a number of triangles.
 pub(crate) fn measure_count(triangles: usize, options: &Options) -> Result<Sizes, Error> {
-    options.check()?;
-    Capacity::new(triangles, &options.resolved()).sizes()
+    fpenv::with_default(|| {
+        options.check()?;
+        Capacity::new(triangles, &options.resolved()).sizes()
+    })
 }
 
 /// Builds a structure in scratch memory.
@@ -59,10 +61,10 @@ pub fn plan<'s>(
     options: &Options,
     scratch: &'s mut [u8],
 ) -> Result<Plan<'s>, Error> {
-    options.check()?;
-    let options = &options.resolved();
-    let capacity = Capacity::new(count(soup)?, options);
     fpenv::with_default(|| {
+        options.check()?;
+        let options = &options.resolved();
+        let capacity = Capacity::new(count(soup)?, options);
         let mut scratch = Scratch::new(scratch);
         let soup = Soup::gather(soup, capacity.triangles, &mut scratch)?;
         let count = soup.triangles.len();

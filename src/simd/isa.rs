@@ -13,7 +13,7 @@ use super::x86::Avx2;
 pub enum Isa {
     /// What every processor of the target has.
     Portable = 1,
-    /// AVX2 and FMA.
+    /// AVX2.
     Avx2 = 2,
 }
 

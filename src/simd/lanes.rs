@@ -14,6 +14,8 @@ pub(crate) trait Lanes: Copy {
 
     fn f64(self, a: [f64; 4]) -> Self::F64;
     fn splat_f64(self, a: f64) -> Self::F64;
+    /// `a * b + c`, rounded twice: the counters of a walk are then the same on
+    /// every instruction set.
     fn mul_add(self, a: Self::F64, b: Self::F64, c: Self::F64) -> Self::F64;
     fn mul_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
     fn add_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;

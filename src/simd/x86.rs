@@ -1,4 +1,4 @@
-//! Lanes on x86-64: AVX2 with FMA.
+//! Lanes on x86-64: AVX2.
 //!
 //! # Safety
 //! The intrinsics are sound because a value of [`Avx2`] exists only after
@@ -9,7 +9,7 @@ use core::arch::x86_64::*;
 
 use super::lanes::{Kernel, Lanes};
 
-/// Proof that AVX2 and FMA are there.
+/// Proof that AVX2 is there.
 #[derive(Clone, Copy)]
 pub struct Avx2(());
 
@@ -18,15 +18,14 @@ impl Avx2 {
     #[inline(always)]
     pub fn detect() -> Option<Self> {
         #[cfg(feature = "std")]
-        let there = std::arch::is_x86_feature_detected!("avx2")
-            && std::arch::is_x86_feature_detected!("fma");
+        let there = std::arch::is_x86_feature_detected!("avx2");
         #[cfg(not(feature = "std"))]
-        let there = cfg!(all(target_feature = "avx2", target_feature = "fma"));
+        let there = cfg!(target_feature = "avx2");
         there.then_some(Self(()))
     }
 }
 
-#[target_feature(enable = "avx2,fma")]
+#[target_feature(enable = "avx2")]
 fn compiled<K: Kernel<Avx2>>(kernel: K, lanes: Avx2) -> K::Out {
     kernel.run(lanes)
 }
@@ -59,7 +58,7 @@ impl Lanes for Avx2 {
     }
     #[inline(always)]
     fn mul_add(self, a: __m256d, b: __m256d, c: __m256d) -> __m256d {
-        with!(_mm256_fmadd_pd(a, b, c))
+        with!(_mm256_add_pd(_mm256_mul_pd(a, b), c))
     }
     #[inline(always)]
     fn mul_f64(self, a: __m256d, b: __m256d) -> __m256d {

@@ -1,6 +1,6 @@
 //! Ray sets for C.
 
-use super::{Error, input, inputs, output, outputs, status, value};
+use super::{Error, input, inputs, outputs, status, value};
 use crate::rays::{self, Hit, Ray};
 use crate::{Bounds, View};
 
@@ -50,13 +50,7 @@ pub unsafe extern "C" fn kit_primary_pixels(
     // SAFETY: all by the caller's promise.
     status(|| unsafe {
         frame(size)?;
-        // In pairs: of a flattened iterator the compiler compares a pair's ends before it asks
-        // whether there is a pair, which is harmless but alarms memory checkers.
-        let mut pairs = 0;
-        let pixels = rays::primary_pixels(size);
-        let outcome = outputs(xy.cast::<[u32; 2]>(), capacity / 2, &mut pairs, pixels);
-        output(written, 2 * pairs)?;
-        outcome
+        outputs(xy, capacity, written, rays::primary_pixels(size).flatten())
     })
 }
 

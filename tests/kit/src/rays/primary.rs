@@ -3,18 +3,24 @@
 use super::{FAR, Ray, narrow, wide};
 use crate::View;
 
-const TILE: u32 = 8;
+const TILE: u64 = 8;
 
 /// Column and row (from the top) of each primary ray: 8 x 8 tiles, row by row, cut off at the
 /// right and bottom when `size` is no multiple of 8.
+///
+/// Counted through whole tiles, not nested: memory checkers take the code that nested iterators
+/// are optimised to for reads of uninitialised memory.
 pub fn primary_pixels(size: u32) -> impl Iterator<Item = [u32; 2]> {
-    let tiles = move || (0..size).step_by(TILE as usize);
-    tiles().flat_map(move |ty| {
-        tiles().flat_map(move |tx| {
-            (ty..(ty + TILE).min(size))
-                .flat_map(move |y| (tx..(tx + TILE).min(size)).map(move |x| [x, y]))
-        })
-    })
+    let size = u64::from(size);
+    let tiles = size.div_ceil(TILE);
+    let pixel = move |i: u64| {
+        let (tile, inner) = (i / (TILE * TILE), i % (TILE * TILE));
+        [tile % tiles * TILE + inner % TILE, tile / tiles * TILE + inner / TILE]
+    };
+    (0..tiles * tiles * TILE * TILE)
+        .map(pixel)
+        .filter(move |&[x, y]| x < size && y < size)
+        .map(|at| at.map(|c| c as u32))
 }
 
 /// One ray through the centre of each of `size` x `size` pixels, directions normalised.
