@@ -4,8 +4,8 @@
  * the two, and HUG_BLESS=1 cargo test --features capi --test header rewrites it.
  *
  * Conventions. Memory the library is given is borrowed for the call unless the
- * function says otherwise. No function starts a thread, takes a lock or keeps
- * global state. Any number of threads may query one scene at the same time;
+ * function says otherwise. No function starts a thread or takes a lock; the one
+ * global is the instruction set in use (hug_force_isa). Any number of threads may query one scene at the same time;
  * queries never allocate and never call the operating system. Enumerations are
  * integer typedefs with constants. A descriptor filled with zeros, but for
  * struct_size and the geometry, asks for the defaults.

@@ -1,7 +1,7 @@
 //! How much memory a build can need: a function of counts alone.
 //!
-//! For n triangles, G grids, V voxels and R references the scratch memory is
-//! about `93 n + 152 G + 16 V + 4 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
+//! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
+//! about `97 n + 136 G + 12 L + 16 V + 4 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 

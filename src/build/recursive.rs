@@ -65,8 +65,7 @@ impl Splitter {
         Some(())
     }
 
-    /// Makes `child` of a voxel, unless that separates nothing: some voxel of it
-    /// would still hold all objects. `None` if there is no room, or no patience.
+    /// Makes `child` of a voxel, unless that separates nothing. `None` if there is no room, or no patience.
     fn split(
         &mut self,
         draft: &mut Draft<'_>,
@@ -81,8 +80,12 @@ impl Splitter {
             return None;
         };
         let child = draft.grids()[number];
-        if draft.spans(&child).iter().any(|s| s.count >= span.count) {
-            self.wasted += draft.refs_since(before);
+        // A voxel that still holds all objects is no loss where hardly any other
+        // holds some: a dense clump in a corner is reached a split or two later.
+        let used = draft.refs_since(before);
+        let together = draft.spans(&child).iter().any(|s| s.count >= span.count);
+        if together && used >= 2 * span.count as usize {
+            self.wasted += used;
             draft.back_to(before);
             return (self.wasted <= draft.capacity()).then_some(());
         }

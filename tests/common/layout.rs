@@ -152,7 +152,8 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
         put32(&mut bytes, at + LEVEL, (levels - 1 - depth) as u32);
         put32(&mut bytes, at + FIRST, number as u32);
         // 1 + width + width^2 + ... of the levels from here on.
-        let walks = (depth + 1..levels).fold(1u64, |w, _| w * width as u64 + 1);
+        let walks =
+            (depth + 1..levels).fold(1u64, |w, _| w.wrapping_mul(width as u64).wrapping_add(1));
         put32(&mut bytes, at + WALKS, walks as u32);
         let word = record(&bytes, VOXELS, number);
         put32(&mut bytes, word, LIST << 30 | next as u32);
