@@ -47,6 +47,11 @@ impl Ray {
         }
     }
 
+    /// The record in rows of four: origin and `tmin`, direction and `tmax`, the rest.
+    pub(crate) fn rows(&self) -> &[[f32; 4]; 3] {
+        bytemuck::cast_ref(self)
+    }
+
     /// The same ray limited to `tmin <= t <= tmax`.
     #[must_use]
     pub const fn with_range(mut self, tmin: f32, tmax: f32) -> Self {

@@ -93,7 +93,7 @@ impl Level {
     fn add(&mut self, grid: &Grid, view: &View<'_>) {
         self.grids += 1;
         self.voxels += grid.voxels();
-        self.volume += grid.extent.iter().product::<f64>();
+        self.volume += grid.volume();
         let first = grid.first as usize;
         let mut words = grid.voxels();
         for voxel in first..first + grid.voxels() as usize {
@@ -171,8 +171,7 @@ impl Stats {
         for grid in grids {
             level[grid.level as usize].add(grid, view);
         }
-        let volume = |g: &Grid| g.extent.iter().product::<f64>();
-        let largest = grids.iter().map(volume).fold(0.0, f64::max);
+        let largest = grids.iter().map(Grid::volume).fold(0.0, f64::max);
         let mut total = Level::default();
         for (number, level) in level[..levels].iter_mut().enumerate() {
             level.volume /= largest;
@@ -188,7 +187,7 @@ impl Stats {
             triangles: h.triangles.count,
             dropped_non_finite: h.dropped_non_finite,
             dropped_degenerate: h.dropped_degenerate,
-            counts: grids.first().map_or([0; 3], |g| g.n),
+            counts: grids.first().map_or([0; 3], |g| g.n.map(u32::from)),
             bytes: h.bytes,
             triangle_bytes: h.triangles.count * 48,
             grid_bytes: h.grids.count * size_of::<Grid>() as u64,

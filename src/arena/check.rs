@@ -55,7 +55,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let (expected, size) =
         sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Corrupt)?;
     require(expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes)?;
-    require(h.reserved == [0; 7] && h.levels as usize <= MAX_LEVELS)?;
+    require(is_unit(h.unit) && h.reserved == [0; 6] && h.levels as usize <= MAX_LEVELS)?;
     require((1..=3).contains(&h.structure))?;
     require(counts.0 < u64::from(GRID_BIT) && counts.3 < u64::from(GRID_BIT))?;
     require(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
@@ -71,7 +71,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let (mut next, mut end) = (0u64, 0);
     for (i, grid) in grids.iter().enumerate() {
         require(u64::from(grid.first) == next && frame(grid))?;
-        require(grid.level < h.levels && grid.zero.to_bits() == 0)?;
+        require(u32::from(grid.level) < h.levels)?;
         next += grid.voxels();
         require(next <= counts.1)?;
         end = lists(i, grid, grids, voxels, (refs, end), counts.3)?;
@@ -91,13 +91,18 @@ fn section<T: bytemuck::Pod>(bytes: &[u8], offset: u64, count: u64) -> Result<&[
 /// A box cut into counts in range, of a place and size that `f32` triangles can
 /// have: the walk's arithmetic then stays finite.
 fn frame(grid: &Grid) -> bool {
-    (0..3).all(|k| {
-        (1..=MAX_COUNT).contains(&grid.n[k])
-            && (-1e39..=1e39).contains(&grid.lo[k])
-            && (1e-60..=1e39).contains(&grid.cell[k])
-            && grid.inv_cell[k] == 1.0 / grid.cell[k]
-            && grid.extent[k] == f64::from(grid.n[k]) * grid.cell[k]
-    })
+    grid.covers <= 1
+        && (0..3).all(|k| {
+            (1..=MAX_COUNT).contains(&u32::from(grid.n[k]))
+                && (-1e45..=1e45).contains(&grid.lo[k])
+                && (1e-25..=4.0).contains(&grid.cell[k])
+                && (0.999..=1.001).contains(&(grid.cell[k] * grid.inv_cell[k]))
+        })
+}
+
+/// A power of two, in the range of the reciprocals of boxes of `f32` numbers.
+fn is_unit(x: f64) -> bool {
+    (1e-45..=1e46).contains(&x) && x.to_bits() << 12 == 0
 }
 
 /// The voxels of a grid: exit boxes inside it, lists one after the other from
@@ -118,19 +123,20 @@ fn lists(
         Ok(u64::from(child.walks))
     };
     let mut most = 0u64;
-    let [nx, ny, nz] = grid.n;
+    let n = grid.n.map(u32::from);
+    let [nx, ny, nz] = n;
     let mut voxel = voxels[grid.first as usize..].iter();
     let cells = (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
     for (at, &word) in cells.zip(&mut voxel) {
         let payload = word & PAYLOAD;
         let mut walks = 0;
         match word >> TAG_SHIFT {
-            EMPTY => require(exit_inside(payload, at, grid))?,
+            EMPTY => require(exit_inside(payload, at, n))?,
             GRID => walks = below(payload)?,
             LIST => {
                 require(payload as usize == end)?;
                 let head = refs.get(end..end + LIST_HEAD).ok_or(Error::Corrupt)?;
-                require(exit_inside(head[0], at, grid))?;
+                require(exit_inside(head[0], at, n))?;
                 let rest = &refs[end + LIST_HEAD..];
                 let list = rest.get(..head[1] as usize).ok_or(Error::Corrupt)?;
                 require(list.is_sorted_by(|a, b| a < b))?;
@@ -151,10 +157,10 @@ fn lists(
     Ok(end)
 }
 
-fn exit_inside(word: u32, at: [u32; 3], grid: &Grid) -> bool {
+fn exit_inside(word: u32, at: [u32; 3], n: [u32; 3]) -> bool {
     word >> TAG_SHIFT == 0
         && (0..3).all(|k| {
             let reach = |side: usize| word >> ((2 * k + side) as u32 * EXIT_BITS) & EXIT_MAX;
-            reach(0) <= at[k] && at[k] + reach(1) < grid.n[k]
+            reach(0) <= at[k] && at[k] + reach(1) < n[k]
         })
 }

@@ -1,4 +1,4 @@
-//! The bytes of an arena, format version 1.
+//! The bytes of an arena, format version 2.
 //!
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
 //! then the grids, the voxels, the references and the triangles, each section
@@ -15,7 +15,7 @@ pub const ALIGN: usize = 64;
 /// The first eight bytes of an arena.
 pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
 /// The format's version; any other is refused.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 /// Reads differently where the byte order is not the writer's.
 pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
@@ -86,33 +86,45 @@ pub struct Header {
     pub upper: [f32; 3],
     /// Distinct triangles that each level refers to.
     pub objects: [u32; MAX_LEVELS],
-    pub reserved: [u64; 7],
+    /// A power of two: grids are in coordinates times this, in which the longest
+    /// side of the box is about 1, so that walks can use `f32`.
+    pub unit: f64,
+    pub reserved: [u64; 6],
 }
 
 /// A uniform grid over a box: voxel (x, y, z) is number
-/// `first + (z * n.y + y) * n.x + x` of the voxels' section.
+/// `first + (z * n.y + y) * n.x + x` of the voxels' section. One cache line, in
+/// the order in which vector loads want it: a fourth lane of each of the first
+/// three is a positive finite number that means nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C)]
+#[repr(C, align(64))]
 pub struct Grid {
-    /// Lowest corner of the box.
+    /// Lowest corner of the box times the header's `unit`.
     pub lo: [f64; 3],
-    /// Sides of the box, `n * cell`.
-    pub extent: [f64; 3],
-    /// Sides of a voxel.
-    pub cell: [f64; 3],
-    /// `1 / cell`.
-    pub inv_cell: [f64; 3],
-    /// 0: the fourth lane of a load of `inv_cell`.
-    pub zero: f64,
+    /// Voxels per `1 / unit`. With `lo` it defines where voxels are.
+    pub inv_cell: [f32; 3],
+    /// `1 / inv_cell`.
+    pub cell: [f32; 3],
     /// Voxels along each axis, 1 to 2048.
-    pub n: [u32; 3],
+    pub n: [u16; 3],
     /// Level of the hierarchy; 0 is the deepest.
-    pub level: u32,
+    pub level: u8,
+    /// 1 if the grid covers every voxel that refers to it, so that a ray in such
+    /// a voxel is in the grid; else 0.
+    pub covers: u8,
     /// Number of the first voxel.
     pub first: u32,
     /// 1 plus the largest sum of `walks` over the grids of one voxel: how often
     /// a ray can enter grids while it is in one voxel of this one, plus 1.
     pub walks: u32,
+}
+
+/// Four numbers from `lo`, `inv_cell`, `cell` and `n` of a grid.
+pub struct GridLanes<'a> {
+    pub lo: &'a [f64; 4],
+    pub inv_cell: &'a [f32; 4],
+    pub cell: &'a [f32; 4],
+    pub n: &'a [u16; 4],
 }
 
 /// A triangle, coordinate by coordinate so that one load brings the three
@@ -139,22 +151,44 @@ impl Triangle {
     }
 }
 
+impl Header {
+    /// `lower` and `upper`, each with a fourth lane that means nothing.
+    #[inline(always)]
+    pub fn corners(&self) -> [&[f32; 4]; 2] {
+        let words: &[f32; 64] = bytemuck::cast_ref(self);
+        let first = core::mem::offset_of!(Self, lower) / 4;
+        [first, first + 3].map(|i| words[i..i + 4].first_chunk().unwrap_or(&[0.0; 4]))
+    }
+}
+
 const _: () = assert!(size_of::<Header>() == 256);
-const _: () = assert!(size_of::<Grid>() == 128);
+const _: () = assert!(size_of::<Grid>() == 64);
 const _: () = assert!(size_of::<Triangle>() == 48);
 
 impl Grid {
-    /// Four numbers from each of `lo`, `extent`, `cell`, `inv_cell`; the fourth
-    /// ones are positive or zero, and mean nothing.
-    #[inline(always)]
-    pub fn lanes(&self) -> [[f64; 4]; 4] {
-        let f: &[f64; 16] = bytemuck::cast_ref(self);
-        [0, 3, 6, 9].map(|i| [f[i], f[i + 1], f[i + 2], f[i + 3]])
-    }
-
     /// Number of voxels; no overflow for counts in range.
     pub fn voxels(&self) -> u64 {
         self.n.iter().map(|&n| u64::from(n)).product()
+    }
+
+    /// The record as vector loads want it; fourth lanes mean nothing.
+    #[inline(always)]
+    pub fn lanes(&self) -> GridLanes<'_> {
+        let (doubles, singles): (&[f64; 8], &[f32; 16]) =
+            (bytemuck::cast_ref(self), bytemuck::cast_ref(self));
+        let shorts: &[u16; 32] = bytemuck::cast_ref(self);
+        let four = |i: usize| singles[i..i + 4].first_chunk().unwrap_or(&[0.0; 4]);
+        GridLanes {
+            lo: doubles.first_chunk().unwrap_or(&[0.0; 4]),
+            inv_cell: four(6),
+            cell: four(9),
+            n: shorts[24..].first_chunk().unwrap_or(&[0; 4]),
+        }
+    }
+
+    /// Volume of the box, in the cube of `1 / unit`.
+    pub fn volume(&self) -> f64 {
+        (0..3).map(|k| f64::from(self.n[k]) * f64::from(self.cell[k])).product()
     }
 }
 

@@ -13,5 +13,5 @@ mod view;
 pub use check::check_header;
 #[cfg(feature = "capi")]
 pub use layout::ALIGN;
-pub(crate) use view::Sections;
 pub use view::View;
+pub(crate) use view::{Axis, Sections};

@@ -160,10 +160,35 @@ impl<'a> Sections<'a> {
         }
     }
 
+    /// The triangles' coordinates along axis `k`, 0 to 2.
+    #[inline(always)]
+    pub fn axis(&self, k: usize) -> Axis<'a> {
+        // SAFETY: a triangle starts with three rows, and there is at least one.
+        let rows = unsafe { self.triangles.cast::<[f32; 4]>().add(k.min(2)) };
+        Axis { rows, marker: PhantomData }
+    }
+
     /// Triangle number `i`, from a reference.
     #[inline(always)]
     pub fn triangle(&self, i: u32) -> &'a Triangle {
         // SAFETY: see the module.
         unsafe { &*self.triangles.add(i as usize) }
+    }
+}
+
+/// The coordinates of all triangles along an axis.
+#[derive(Clone, Copy)]
+pub(crate) struct Axis<'a> {
+    rows: *const [f32; 4],
+    marker: PhantomData<&'a [u8]>,
+}
+
+impl<'a> Axis<'a> {
+    /// Those of the corners of triangle number `i`, from a reference; the fourth
+    /// number means nothing.
+    #[inline(always)]
+    pub fn row(&self, i: u32) -> &'a [f32; 4] {
+        // SAFETY: see the module; a triangle is three rows.
+        unsafe { &*self.rows.add(i as usize * 3) }
     }
 }

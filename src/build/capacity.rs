@@ -7,9 +7,10 @@
 
 use super::cluster::Part;
 use super::draft::Span;
+use super::frame::Grid;
 use crate::Error;
 use crate::aabb::Aabb;
-use crate::arena::layout::{Grid, Triangle, sections};
+use crate::arena::layout::{Triangle, sections};
 use crate::options::{Options, Structure};
 
 /// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.

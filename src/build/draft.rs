@@ -4,11 +4,12 @@
 //! objects of each voxel, turn counts into positions, put the objects there.
 
 use super::capacity::Capacity;
+use super::frame::Grid;
 use super::gather::Soup;
 use super::overlap::{Range, voxels};
 use super::scratch::Scratch;
 use crate::Error;
-use crate::arena::layout::{GRID_BIT, Grid};
+use crate::arena::layout::GRID_BIT;
 use bytemuck::{Pod, Zeroable};
 
 /// A voxel's list: `count` references from number `start` on.

@@ -10,7 +10,8 @@
 //! empty. Cost: one or two dozen such questions for an empty voxel.
 
 use super::draft::{Draft, Span};
-use crate::arena::layout::{EXIT_BITS, EXIT_MAX, Grid};
+use super::frame::Grid;
+use crate::arena::layout::{EXIT_BITS, EXIT_MAX};
 
 /// A voxel with a longer list keeps to itself: comparing lists costs more than
 /// the step it saves.

@@ -5,6 +5,7 @@
 
 use super::draft::{Draft, Span};
 use super::exit::Exits;
+use super::frame::{self, unit};
 use crate::Error;
 use crate::arena::layout::{
     ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
@@ -35,7 +36,7 @@ impl<'s> Plan<'s> {
         table: &'s mut [u32],
     ) -> Result<Self, Error> {
         let grids = draft.grids();
-        let voxels: u64 = grids.iter().map(Grid::voxels).sum();
+        let voxels: u64 = grids.iter().map(frame::Grid::voxels).sum();
         let words = |g| draft.spans(g).iter().map(|&s| words(&draft, s)).sum::<u64>();
         let refs: u64 = grids.iter().map(words).sum();
         let levels = grids.iter().map(|g| g.level + 1).max().unwrap_or(0);
@@ -114,7 +115,8 @@ impl<'s> Plan<'s> {
             lower: soup.bounds.lo,
             upper: soup.bounds.hi,
             objects: [0; MAX_LEVELS],
-            reserved: [0; 7],
+            unit: unit(&soup.bounds),
+            reserved: [0; 6],
         }
     }
 }
@@ -158,8 +160,9 @@ fn flatten(
     refs: &mut [u32],
 ) {
     let (mut first, mut end) = (0, 0);
+    let unit = unit(&draft.soup.bounds);
     for (grid, from) in grids.iter_mut().zip(draft.grids()) {
-        *grid = Grid { first: first as u32, ..*from };
+        *grid = frame::Grid { first: first as u32, ..*from }.record(unit);
         let exits = Exits::new(from, draft, table);
         let mut radius = 0;
         let [nx, ny, nz] = from.n;
@@ -215,8 +218,10 @@ fn count_objects(
     for grid in grids {
         for voxel in &voxels[grid.first as usize..][..grid.voxels() as usize] {
             for &r in list(voxel, refs).iter().filter(|&&r| r & GRID_BIT == 0) {
-                if core::mem::replace(&mut last[r as usize], grid.level) != grid.level {
-                    objects[grid.level as usize] += 1;
+                if core::mem::replace(&mut last[r as usize], u32::from(grid.level))
+                    != u32::from(grid.level)
+                {
+                    objects[usize::from(grid.level)] += 1;
                 }
             }
         }

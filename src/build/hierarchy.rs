@@ -7,10 +7,10 @@
 use core::ops::Range;
 
 use super::draft::{Crowded, Draft, Mark};
-use super::frame::Rule;
+use super::frame::{Grid, Rule};
 use super::overlap;
 use crate::Error;
-use crate::arena::layout::{GRID_BIT, Grid};
+use crate::arena::layout::GRID_BIT;
 use crate::options::{Gridding, Hierarchy, MAX_LEVELS};
 
 /// No parent yet.
@@ -89,7 +89,8 @@ impl Index {
     fn new(draft: &mut Draft<'_>, grids: Range<usize>, objects: &mut [u32]) -> Result<Self, Error> {
         let before = draft.mark();
         let rule = Rule { gridding: Gridding::Proportional, alpha: 1.0, counts: [0; 3] };
-        let grid = Grid::around(&draft.soup.bounds, 0).divided(&rule, grids.len());
+        let grid =
+            Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds).divided(&rule, grids.len());
         let objects = &mut objects[..grids.len()];
         for (number, object) in grids.zip(objects.iter_mut()) {
             *object = GRID_BIT | number as u32;

@@ -6,13 +6,13 @@ use super::capacity::Capacity;
 use super::cluster::{Part, cluster};
 use super::draft::{Crowded, Draft};
 use super::filter::Levels;
-use super::frame::Rule;
+use super::frame::{Grid, Rule};
 use super::hierarchy::link;
 use super::scratch::Scratch;
 use super::uniform::{outer_crowded, outer_rule};
 use crate::Error;
 use crate::aabb::Aabb;
-use crate::arena::layout::{GRID_BIT, Grid};
+use crate::arena::layout::GRID_BIT;
 use crate::options::{Delta, Options};
 
 /// Builds the hierarchy. `objects` is room for
@@ -35,7 +35,7 @@ pub fn hug<'s>(
     let links = scratch.take::<[u32; 2]>(capacity.links)?;
 
     let bounds = level_ranges(&levels, boxes, home, order);
-    draft.push(Grid::around(&draft.soup.bounds, u32::from(world)))?;
+    draft.push(Grid::around(&draft.soup.bounds, u32::from(world), &draft.soup.bounds))?;
     ranges[0] = Zeroable::zeroed();
     for level in (0..usize::from(world)).rev() {
         let range = bounds[level] as usize..bounds[level + 1] as usize;
@@ -124,7 +124,7 @@ fn clusters(
             b.join(&boxes[i as usize]);
             home[i as usize] = level as u8;
         }
-        draft.push(Grid::around(&b, level as u32))?;
+        draft.push(Grid::around(&b, level as u32, &draft.soup.bounds))?;
     }
     Ok(())
 }

@@ -8,11 +8,12 @@
 //! magnitudes involved, so a voxel is never left out, at any scale; one too
 //! many is harmless.
 
+use super::frame::Grid;
 use crate::aabb::Aabb;
-use crate::arena::layout::{Grid, Triangle};
+use crate::arena::layout::Triangle;
 
 /// Growth of a voxel on each side, in voxels.
-const PAD: f64 = 1.0 / 1024.0;
+const PAD: f64 = 1.0 / 512.0;
 /// Bounds the rounding of the tests below with room to spare (2^-53 each, at
 /// most a dozen in a row).
 const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;

@@ -8,10 +8,9 @@
 //! references allowed.
 
 use super::draft::{Draft, Span};
-use super::frame::Rule;
+use super::frame::{Grid, Rule};
 use super::uniform::uniform;
 use crate::Error;
-use crate::arena::layout::Grid;
 use crate::options::Options;
 
 /// Builds a uniform grid and splits its crowded voxels, and theirs.

@@ -1,9 +1,8 @@
 //! The uniform grid (section 1.3): the box of all objects, cut once.
 
 use super::draft::{Crowded, Draft};
-use super::frame::Rule;
+use super::frame::{Grid, Rule};
 use crate::Error;
-use crate::arena::layout::Grid;
 use crate::options::Options;
 
 /// The outermost grid's rule for its counts.
@@ -19,7 +18,8 @@ pub fn outer_crowded(options: &Options) -> Crowded {
 /// Puts all triangles into one grid. `objects` is room for their numbers.
 pub fn uniform(draft: &mut Draft<'_>, options: &Options, objects: &mut [u32]) -> Result<(), Error> {
     let count = draft.soup.triangles.len();
-    let grid = Grid::around(&draft.soup.bounds, 0).divided(&outer_rule(options), count);
+    let grid = Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds)
+        .divided(&outer_rule(options), count);
     let number = draft.push(grid)?;
     let objects = &mut objects[..count];
     for (i, object) in (0..).zip(objects.iter_mut()) {

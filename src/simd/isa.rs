@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicU8, Ordering};
 use super::lanes::{Kernel, Lanes};
 use super::portable::Portable;
 #[cfg(target_arch = "x86_64")]
-use super::x86::Avx2;
+use super::x86::{Avx2, Avx512};
 
 /// An instruction set that queries can run on. Results do not depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,37 +13,44 @@ use super::x86::Avx2;
 pub enum Isa {
     /// What every processor of the target has.
     Portable = 1,
-    /// AVX2.
+    /// AVX2 and FMA.
     Avx2 = 2,
+    /// AVX-512 (F, VL, DQ).
+    Avx512 = 3,
 }
 
 impl Isa {
+    /// All of them, best last.
+    pub const ALL: [Self; 3] = [Self::Portable, Self::Avx2, Self::Avx512];
+
     /// Lower-case name.
     #[must_use]
     pub const fn name(self) -> &'static core::ffi::CStr {
         match self {
             Self::Portable => c"portable",
             Self::Avx2 => c"avx2",
+            Self::Avx512 => c"avx512",
         }
     }
 
     fn available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
         match self {
             Self::Portable => true,
-            #[cfg(target_arch = "x86_64")]
             Self::Avx2 => Avx2::detect().is_some(),
-            #[cfg(not(target_arch = "x86_64"))]
-            Self::Avx2 => false,
+            Self::Avx512 => Avx512::detect().is_some(),
         }
+        #[cfg(not(target_arch = "x86_64"))]
+        matches!(self, Self::Portable)
     }
 }
 
-/// 0 until the first query, then the set in use.
+/// 0 until the first query, then the set in use, which is available.
 static CHOSEN: AtomicU8 = AtomicU8::new(0);
 
 #[cold]
 fn choose() -> u8 {
-    let best = if Isa::Avx2.available() { Isa::Avx2 } else { Isa::Portable };
+    let best = Isa::ALL.into_iter().rfind(|set| set.available()).unwrap_or(Isa::Portable);
     // Threads that race here store the same value.
     CHOSEN.store(best as u8, Ordering::Relaxed);
     best as u8
@@ -60,7 +67,8 @@ fn chosen() -> u8 {
 /// The instruction set in use by this process.
 #[must_use]
 pub fn isa() -> Isa {
-    if chosen() == Isa::Avx2 as u8 { Isa::Avx2 } else { Isa::Portable }
+    let set = chosen();
+    Isa::ALL.into_iter().find(|&i| i as u8 == set).unwrap_or(Isa::Portable)
 }
 
 /// Makes all queries of the process use `isa`, for tests and comparisons.
@@ -92,11 +100,18 @@ impl<K: AnyKernel, L: Lanes> Kernel<L> for On<K> {
 /// Runs a kernel on the instruction set in use.
 #[inline(always)]
 pub(crate) fn dispatch<K: AnyKernel>(kernel: K) -> K::Out {
+    let set = chosen();
     #[cfg(target_arch = "x86_64")]
-    if chosen() == Isa::Avx2 as u8
-        && let Some(lanes) = Avx2::detect()
     {
-        return lanes.run(On(kernel));
+        if set == Isa::Avx512 as u8 {
+            // SAFETY: the set in use is available.
+            return unsafe { Avx512::detected() }.run(On(kernel));
+        }
+        if set == Isa::Avx2 as u8 {
+            // SAFETY: the set in use is available.
+            return unsafe { Avx2::detected() }.run(On(kernel));
+        }
     }
+    debug_assert_eq!(set, Isa::Portable as u8);
     Portable.run(On(kernel))
 }

@@ -1,67 +1,125 @@
 //! The vector operations that the walk and the sieve are written in.
 
-/// Four `f64`, four `i32` and four `f32`, with the operations needed.
+/// Four lanes of `f64`, `f32` and `i32` for the walk, and rows of four `f32` for
+/// the sieve, with the operations needed.
 ///
 /// A value of an implementing type is proof that the processor has the
-/// instructions: values come from run-time detection alone.
+/// instructions: values come from run-time detection alone. What four lanes
+/// compute is the same everywhere, bit for bit, but for numbers out of range and
+/// NaN; rows may round otherwise.
 pub(crate) trait Lanes: Copy {
     type F64: Copy;
-    type I32: Copy;
     type F32: Copy;
+    type I32: Copy;
+    /// A row of four `f32` of each of [`Lanes::ROWS`] triangles.
+    type Rows: Copy;
+    const ROWS: usize;
 
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;
 
-    fn f64(self, a: [f64; 4]) -> Self::F64;
+    fn load_f64(self, a: &[f64; 4]) -> Self::F64;
     fn splat_f64(self, a: f64) -> Self::F64;
-    /// `a * b + c`, rounded twice: the counters of a walk are then the same on
-    /// every instruction set.
-    fn mul_add(self, a: Self::F64, b: Self::F64, c: Self::F64) -> Self::F64;
+    fn widen(self, a: Self::F32) -> Self::F64;
+    fn i32_to_f64(self, a: Self::I32) -> Self::F64;
     fn mul_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
     fn add_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
     fn sub_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
+    fn div_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
     fn min_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
     fn max_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
+    fn abs_f64(self, a: Self::F64) -> Self::F64;
+    /// `a` with the sign of `b`, for `a` not negative.
+    fn sign_f64(self, a: Self::F64, b: Self::F64) -> Self::F64;
+    /// Where `sign` is negative `b - a`, else `a`.
+    fn mirror_f64(self, a: Self::F64, b: Self::F64, sign: Self::F64) -> Self::F64;
     /// Whether `|a| > b` in one of the first three lanes.
-    fn any_beyond(self, a: Self::F64, b: Self::F64) -> bool;
-    /// The greatest lane, in every lane.
-    fn highest(self, a: Self::F64) -> Self::F64;
-    /// The least lane, in every lane.
-    fn lowest(self, a: Self::F64) -> Self::F64;
-    fn array_f64(self, a: Self::F64) -> [f64; 4];
-    fn first(self, a: Self::F64) -> f64;
-    /// Towards zero; out of range gives some number.
-    fn truncate(self, a: Self::F64) -> Self::I32;
-    /// `i` where `a == b`, else `j`.
-    fn select_eq(self, a: Self::F64, b: Self::F64, i: Self::I32, j: Self::I32) -> Self::I32;
+    fn any_beyond(self, a: Self::F64, b: f64) -> bool;
+    /// Whether one of the first three lanes is below 0 or above that of `n`.
+    fn any_outside(self, a: Self::F64, n: Self::F64) -> bool;
+    /// The greatest of the first three lanes.
+    fn highest3(self, a: Self::F64) -> f64;
+    /// The least of the first three lanes.
+    fn lowest3(self, a: Self::F64) -> f64;
 
-    fn i32(self, a: [i32; 4]) -> Self::I32;
+    fn array_f64(self, a: Self::F64) -> [f64; 4];
+
+    fn load_f32(self, a: &[f32; 4]) -> Self::F32;
+    /// Three lanes, and 0 in the fourth.
+    fn load3(self, a: &[f32; 4]) -> Self::F32;
+    fn splat_f32(self, a: f32) -> Self::F32;
+    fn narrow(self, a: Self::F64) -> Self::F32;
+    fn to_f32(self, a: Self::I32) -> Self::F32;
+    fn mul_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
+    fn add_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
+    fn sub_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
+    fn div_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
+    /// `a * b + c`, rounded once; without `EXACT` perhaps twice.
+    fn mul_add<const EXACT: bool>(self, a: Self::F32, b: Self::F32, c: Self::F32) -> Self::F32;
+    fn minus_f32(self, a: Self::F32) -> Self::F32;
+    fn max_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
+    /// The greatest of the first three lanes, in every lane.
+    fn highest(self, a: Self::F32) -> Self::F32;
+    fn abs_f32(self, a: Self::F32) -> Self::F32;
+    fn array_f32(self, a: Self::F32) -> [f32; 4];
+    /// The least lane, in every lane; no lane is NaN. Of several negative ones, any.
+    fn lowest(self, a: Self::F32) -> Self::F32;
+    fn first(self, a: Self::F32) -> f32;
+    /// Towards zero; out of range and NaN give some number.
+    fn truncate(self, a: Self::F32) -> Self::I32;
+    /// All ones where `a == b`, else zeros.
+    fn equal(self, a: Self::F32, b: Self::F32) -> Self::I32;
+    /// Lane `order[k]` of `a` in lane k.
+    fn permute(self, a: Self::F32, order: &[i32; 4]) -> Self::F32;
+    /// Lane K in every lane of every row.
+    fn spread<const K: i32>(self, a: Self::F32) -> Self::Rows;
+    /// One bit for each of the first three lanes that is negative, -0 included.
+    fn signs(self, a: Self::F32) -> u32;
+    /// One bit for each of the first three lanes in which `a == b`.
+    fn equals(self, a: Self::F32, b: Self::F32) -> u32;
+    /// Whether the first three lanes are all finite.
+    fn finite3(self, a: Self::F32) -> bool;
+
+    fn load_i32(self, a: &[i32; 4]) -> Self::I32;
     fn splat_i32(self, a: i32) -> Self::I32;
+    fn load_u16(self, a: &[u16; 4]) -> Self::I32;
     fn array(self, a: Self::I32) -> [i32; 4];
-    fn to_f64(self, a: Self::I32) -> Self::F64;
     fn add(self, a: Self::I32, b: Self::I32) -> Self::I32;
     fn sub(self, a: Self::I32, b: Self::I32) -> Self::I32;
     fn and(self, a: Self::I32, b: Self::I32) -> Self::I32;
     fn xor(self, a: Self::I32, b: Self::I32) -> Self::I32;
     fn min(self, a: Self::I32, b: Self::I32) -> Self::I32;
     fn max(self, a: Self::I32, b: Self::I32) -> Self::I32;
-    /// Each lane of `a` shifted right by the lane of `by`, zeros coming in.
+    /// `b` where `mask` is all ones, `a` where it is zero.
+    fn select(self, mask: Self::I32, a: Self::I32, b: Self::I32) -> Self::I32;
+    /// Each lane of `a` shifted right by the lane of `by` modulo 32, zeros coming in.
     fn shift_right(self, a: Self::I32, by: Self::I32) -> Self::I32;
-    /// Whether some lane of `a` is negative or not below that of `n`.
-    fn outside(self, a: Self::I32, n: Self::I32) -> bool;
+    /// Whether one of the first three lanes of `a` is greater than that of `b`.
+    fn any_greater(self, a: Self::I32, b: Self::I32) -> bool;
 
-    fn splat_f32(self, a: f32) -> Self::F32;
-    /// Four lanes from memory; the fourth may be no number.
-    fn load(self, a: &[f32; 4]) -> Self::F32;
-    fn sub_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
-    fn add_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
-    fn mul_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
-    fn abs_f32(self, a: Self::F32) -> Self::F32;
-    /// Lanes 1, 2, 0 of `a` in lanes 0, 1, 2.
-    fn rotate(self, a: Self::F32) -> Self::F32;
-    /// Whether one of the first three lanes of `a` is below `-b` and another
-    /// above `b`.
-    fn both_sides(self, a: Self::F32, b: Self::F32) -> bool;
+    /// Row `row(i)` of each triangle i.
+    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> Self::Rows;
+    fn splat_rows(self, a: f32) -> Self::Rows;
+    fn sub_rows(self, a: Self::Rows, b: Self::Rows) -> Self::Rows;
+    fn mul_rows(self, a: Self::Rows, b: Self::Rows) -> Self::Rows;
+    fn add_rows(self, a: Self::Rows, b: Self::Rows) -> Self::Rows;
+    fn abs_rows(self, a: Self::Rows) -> Self::Rows;
+    /// `a - b * c`, rounded once or twice.
+    fn less_product(self, a: Self::Rows, b: Self::Rows, c: Self::Rows) -> Self::Rows;
+    /// `a * b - c * d`, rounded twice or three times.
+    fn cross_rows(self, a: Self::Rows, b: Self::Rows, c: Self::Rows, d: Self::Rows) -> Self::Rows;
+    /// Lanes 1, 2, 0 of each row in lanes 0, 1, 2.
+    fn rotate(self, a: Self::Rows) -> Self::Rows;
+    /// Bit 4 i + 3 for each row i: whether one of its first three lanes of `side` is
+    /// below `-error` and another above `error`, or those of `z` are all below `lo`
+    /// or all above `hi`.
+    fn misses(
+        self,
+        side: Self::Rows,
+        error: Self::Rows,
+        z: Self::Rows,
+        range: [Self::Rows; 2],
+    ) -> u32;
 }
 
 /// Code to be compiled for an instruction set.

@@ -11,10 +11,32 @@ fn map<A: Copy, B: Copy, C>(a: [A; 4], b: [B; 4], f: impl Fn(A, B) -> C) -> [C; 
     core::array::from_fn(|k| f(a[k], b[k]))
 }
 
+#[inline(always)]
+fn lesser(x: f32, y: f32) -> f32 {
+    // As integers: as numbers, but for the order of negative ones.
+    if (x.to_bits() as i32) < y.to_bits() as i32 { x } else { y }
+}
+
+/// `a * b + c`, rounded once: the product is exact in `f64`, the sum rounded to
+/// odd (Boldo & Melquiond 2008), so that rounding to `f32` is as of the exact sum.
+fn fused(a: f32, b: f32, c: f32) -> f32 {
+    let (p, c) = (f64::from(a) * f64::from(b), f64::from(c));
+    let s = p + c;
+    let back = s - p;
+    let lost = (p - (s - back)) + (c - back);
+    if lost != 0.0 && lost.is_finite() && s.to_bits() & 1 == 0 {
+        let away = (lost > 0.0) == (s > 0.0);
+        return f64::from_bits(if away { s.to_bits() + 1 } else { s.to_bits() - 1 }) as f32;
+    }
+    s as f32
+}
+
 impl Lanes for Portable {
     type F64 = [f64; 4];
-    type I32 = [i32; 4];
     type F32 = [f32; 4];
+    type I32 = [i32; 4];
+    type Rows = [f32; 4];
+    const ROWS: usize = 1;
 
     #[inline(always)]
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
@@ -22,16 +44,20 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn f64(self, a: [f64; 4]) -> [f64; 4] {
-        a
+    fn load_f64(self, a: &[f64; 4]) -> [f64; 4] {
+        *a
     }
     #[inline(always)]
     fn splat_f64(self, a: f64) -> [f64; 4] {
         [a; 4]
     }
     #[inline(always)]
-    fn mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
-        core::array::from_fn(|k| a[k] * b[k] + c[k])
+    fn widen(self, a: [f32; 4]) -> [f64; 4] {
+        a.map(f64::from)
+    }
+    #[inline(always)]
+    fn i32_to_f64(self, a: [i32; 4]) -> [f64; 4] {
+        a.map(f64::from)
     }
     #[inline(always)]
     fn mul_f64(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
@@ -46,6 +72,10 @@ impl Lanes for Portable {
         map(a, b, |a, b| a - b)
     }
     #[inline(always)]
+    fn div_f64(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        map(a, b, |a, b| a / b)
+    }
+    #[inline(always)]
     fn min_f64(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
         map(a, b, |a, b| if a < b { a } else { b })
     }
@@ -54,51 +84,153 @@ impl Lanes for Portable {
         map(a, b, |a, b| if a > b { a } else { b })
     }
     #[inline(always)]
-    fn any_beyond(self, a: [f64; 4], b: [f64; 4]) -> bool {
-        (0..3).any(|k| a[k].abs() > b[k])
+    fn abs_f64(self, a: [f64; 4]) -> [f64; 4] {
+        a.map(f64::abs)
     }
     #[inline(always)]
-    fn highest(self, a: [f64; 4]) -> [f64; 4] {
+    fn sign_f64(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        map(a, b, f64::copysign)
+    }
+    #[inline(always)]
+    fn mirror_f64(self, a: [f64; 4], b: [f64; 4], sign: [f64; 4]) -> [f64; 4] {
+        core::array::from_fn(|k| if sign[k].is_sign_negative() { b[k] - a[k] } else { a[k] })
+    }
+    #[inline(always)]
+    fn any_beyond(self, a: [f64; 4], b: f64) -> bool {
+        (0..3).any(|k| a[k].abs() > b)
+    }
+    #[inline(always)]
+    fn any_outside(self, a: [f64; 4], n: [f64; 4]) -> bool {
+        (0..3).any(|k| a[k] < 0.0 || a[k] > n[k])
+    }
+    #[inline(always)]
+    fn highest3(self, [x, y, z, _]: [f64; 4]) -> f64 {
         let high = |x: f64, y: f64| if x > y { x } else { y };
-        [high(high(a[0], a[1]), high(a[2], a[3])); 4]
+        high(high(x, y), z)
     }
     #[inline(always)]
-    fn lowest(self, a: [f64; 4]) -> [f64; 4] {
+    fn lowest3(self, [x, y, z, _]: [f64; 4]) -> f64 {
         let low = |x: f64, y: f64| if x < y { x } else { y };
-        [low(low(a[0], a[1]), low(a[2], a[3])); 4]
+        low(low(x, y), z)
     }
     #[inline(always)]
     fn array_f64(self, a: [f64; 4]) -> [f64; 4] {
         a
     }
+
     #[inline(always)]
-    fn first(self, a: [f64; 4]) -> f64 {
+    fn load_f32(self, a: &[f32; 4]) -> [f32; 4] {
+        *a
+    }
+    #[inline(always)]
+    fn load3(self, [x, y, z, _]: &[f32; 4]) -> [f32; 4] {
+        [*x, *y, *z, 0.0]
+    }
+    #[inline(always)]
+    fn splat_f32(self, a: f32) -> [f32; 4] {
+        [a; 4]
+    }
+    #[inline(always)]
+    fn narrow(self, a: [f64; 4]) -> [f32; 4] {
+        a.map(|x| x as f32)
+    }
+    #[inline(always)]
+    fn to_f32(self, a: [i32; 4]) -> [f32; 4] {
+        a.map(|x| x as f32)
+    }
+    #[inline(always)]
+    fn mul_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, |a, b| a * b)
+    }
+    #[inline(always)]
+    fn add_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, |a, b| a + b)
+    }
+    #[inline(always)]
+    fn sub_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, |a, b| a - b)
+    }
+    #[inline(always)]
+    fn div_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, |a, b| a / b)
+    }
+    #[inline(always)]
+    fn mul_add<const EXACT: bool>(self, a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [f32; 4] {
+        core::array::from_fn(|k| if EXACT { fused(a[k], b[k], c[k]) } else { a[k] * b[k] + c[k] })
+    }
+    #[inline(always)]
+    fn minus_f32(self, a: [f32; 4]) -> [f32; 4] {
+        a.map(|x| -x)
+    }
+    #[inline(always)]
+    fn max_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, |a, b| if a > b { a } else { b })
+    }
+    #[inline(always)]
+    fn highest(self, [x, y, z, _]: [f32; 4]) -> [f32; 4] {
+        let high = |x: f32, y: f32| if x > y { x } else { y };
+        [high(high(x, y), z); 4]
+    }
+    #[inline(always)]
+    fn abs_f32(self, a: [f32; 4]) -> [f32; 4] {
+        a.map(f32::abs)
+    }
+    #[inline(always)]
+    fn array_f32(self, a: [f32; 4]) -> [f32; 4] {
+        a
+    }
+    #[inline(always)]
+    fn lowest(self, a: [f32; 4]) -> [f32; 4] {
+        [lesser(lesser(a[0], a[1]), lesser(a[2], a[3])); 4]
+    }
+    #[inline(always)]
+    fn first(self, a: [f32; 4]) -> f32 {
         a[0]
     }
     #[inline(always)]
-    fn truncate(self, a: [f64; 4]) -> [i32; 4] {
+    fn truncate(self, a: [f32; 4]) -> [i32; 4] {
         a.map(|x| x as i32)
     }
     #[inline(always)]
-    fn select_eq(self, a: [f64; 4], b: [f64; 4], i: [i32; 4], j: [i32; 4]) -> [i32; 4] {
-        core::array::from_fn(|k| if a[k] == b[k] { i[k] } else { j[k] })
+    fn equal(self, a: [f32; 4], b: [f32; 4]) -> [i32; 4] {
+        map(a, b, |a, b| -i32::from(a == b))
+    }
+    #[inline(always)]
+    fn permute(self, a: [f32; 4], order: &[i32; 4]) -> [f32; 4] {
+        order.map(|k| a[k as usize & 3])
+    }
+    #[inline(always)]
+    fn spread<const K: i32>(self, a: [f32; 4]) -> [f32; 4] {
+        [a[K as usize]; 4]
+    }
+    #[inline(always)]
+    fn signs(self, a: [f32; 4]) -> u32 {
+        (0..3).map(|k| a[k].to_bits() >> 31 << k).sum()
+    }
+    #[inline(always)]
+    fn equals(self, a: [f32; 4], b: [f32; 4]) -> u32 {
+        (0..3).map(|k| u32::from(a[k] == b[k]) << k).sum()
+    }
+    #[inline(always)]
+    fn finite3(self, a: [f32; 4]) -> bool {
+        a[..3].iter().all(|x| x.is_finite())
     }
 
     #[inline(always)]
-    fn i32(self, a: [i32; 4]) -> [i32; 4] {
-        a
+    fn load_i32(self, a: &[i32; 4]) -> [i32; 4] {
+        *a
     }
     #[inline(always)]
     fn splat_i32(self, a: i32) -> [i32; 4] {
         [a; 4]
     }
     #[inline(always)]
-    fn array(self, a: [i32; 4]) -> [i32; 4] {
-        a
+    fn load_u16(self, a: &[u16; 4]) -> [i32; 4] {
+        a.map(i32::from)
     }
     #[inline(always)]
-    fn to_f64(self, a: [i32; 4]) -> [f64; 4] {
-        a.map(f64::from)
+    fn array(self, a: [i32; 4]) -> [i32; 4] {
+        a
     }
     #[inline(always)]
     fn add(self, a: [i32; 4], b: [i32; 4]) -> [i32; 4] {
@@ -125,46 +257,60 @@ impl Lanes for Portable {
         map(a, b, i32::max)
     }
     #[inline(always)]
-    fn shift_right(self, a: [i32; 4], by: [i32; 4]) -> [i32; 4] {
-        map(a, by, |a, by| (a as u32 >> by) as i32)
+    fn select(self, mask: [i32; 4], a: [i32; 4], b: [i32; 4]) -> [i32; 4] {
+        core::array::from_fn(|k| a[k] & !mask[k] | b[k] & mask[k])
     }
     #[inline(always)]
-    fn outside(self, a: [i32; 4], n: [i32; 4]) -> bool {
-        map(a, n, |a, n| a as u32 >= n as u32).contains(&true)
+    fn shift_right(self, a: [i32; 4], by: [i32; 4]) -> [i32; 4] {
+        map(a, by, |a, by| (a as u32).wrapping_shr(by as u32) as i32)
+    }
+    #[inline(always)]
+    fn any_greater(self, a: [i32; 4], b: [i32; 4]) -> bool {
+        a[0] > b[0] || a[1] > b[1] || a[2] > b[2]
     }
 
     #[inline(always)]
-    fn splat_f32(self, a: f32) -> [f32; 4] {
+    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [f32; 4] {
+        *row(0)
+    }
+    #[inline(always)]
+    fn splat_rows(self, a: f32) -> [f32; 4] {
         [a; 4]
     }
     #[inline(always)]
-    fn load(self, a: &[f32; 4]) -> [f32; 4] {
-        *a
+    fn sub_rows(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        self.sub_f32(a, b)
     }
     #[inline(always)]
-    fn sub_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
-        map(a, b, |a, b| a - b)
+    fn mul_rows(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        self.mul_f32(a, b)
     }
     #[inline(always)]
-    fn add_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
-        map(a, b, |a, b| a + b)
+    fn add_rows(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        self.add_f32(a, b)
     }
     #[inline(always)]
-    fn mul_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
-        map(a, b, |a, b| a * b)
+    fn abs_rows(self, a: [f32; 4]) -> [f32; 4] {
+        self.abs_f32(a)
     }
     #[inline(always)]
-    fn abs_f32(self, a: [f32; 4]) -> [f32; 4] {
-        a.map(f32::abs)
+    fn less_product(self, a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [f32; 4] {
+        self.sub_f32(a, self.mul_f32(b, c))
+    }
+    #[inline(always)]
+    fn cross_rows(self, a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> [f32; 4] {
+        self.sub_f32(self.mul_f32(a, b), self.mul_f32(c, d))
     }
     #[inline(always)]
     fn rotate(self, [x, y, z, w]: [f32; 4]) -> [f32; 4] {
         [y, z, x, w]
     }
     #[inline(always)]
-    fn both_sides(self, a: [f32; 4], b: [f32; 4]) -> bool {
-        let below = a[0] < -b[0] || a[1] < -b[1] || a[2] < -b[2];
-        let above = a[0] > b[0] || a[1] > b[1] || a[2] > b[2];
-        below && above
+    fn misses(self, a: [f32; 4], e: [f32; 4], z: [f32; 4], [lo, hi]: [[f32; 4]; 2]) -> u32 {
+        let below = a[0] < -e[0] || a[1] < -e[1] || a[2] < -e[2];
+        let above = a[0] > e[0] || a[1] > e[1] || a[2] > e[2];
+        let before = z[0] < lo[0] && z[1] < lo[0] && z[2] < lo[0];
+        let behind = z[0] > hi[0] && z[1] > hi[0] && z[2] > hi[0];
+        u32::from(below && above || before || behind) << 3
     }
 }

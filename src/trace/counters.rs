@@ -16,16 +16,20 @@ pub struct Counters {
 
 /// Counts events, or compiles to nothing.
 pub(crate) trait Count {
+    /// Whether it counts.
+    const COUNTS: bool = true;
     fn grid(&mut self) {}
     fn voxel(&mut self) {}
-    fn test(&mut self) {}
+    fn tests(&mut self, _: usize) {}
     fn hit(&mut self) {}
 }
 
 /// Counts nothing.
 pub(crate) struct Uncounted;
 
-impl Count for Uncounted {}
+impl Count for Uncounted {
+    const COUNTS: bool = false;
+}
 
 impl Count for Counters {
     fn grid(&mut self) {
@@ -34,8 +38,8 @@ impl Count for Counters {
     fn voxel(&mut self) {
         self.voxels += 1;
     }
-    fn test(&mut self) {
-        self.tests += 1;
+    fn tests(&mut self, n: usize) {
+        self.tests += n as u64;
     }
     fn hit(&mut self) {
         self.hits += 1;

@@ -1,10 +1,12 @@
 //! Queries: one walk for all structures and all kinds of query.
 //!
-//! `walk` goes through grids, `local` prepares a ray for one grid, `rebase`
-//! does so for rays from very far away, `sieve` rejects triangles cheaply, `query` says what is looked for,
-//! `counters` what is counted.
+//! `walk` goes through grids, `course` prepares a ray for all
+//! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
+//! rejects triangles cheaply, `query` says what is looked for, `counters` what is
+//! counted.
 
 mod counters;
+mod course;
 mod local;
 mod query;
 mod rebase;

@@ -18,15 +18,16 @@ pub(crate) trait Query {
     /// The walk ends at parameters greater than this: no less than the next
     /// `f32` after the limit, so that every t above it rounds to more.
     fn beyond(&self) -> f64;
-    /// Whether triangle `number` was met already and need not be decided again.
-    fn known(&self, number: u32) -> bool;
     /// Takes a triangle met at `t <= limit`; `true` ends the walk.
     fn meet(&mut self, t: f32, triangle: &Triangle, number: u32) -> bool;
 }
 
-/// A number above which every parameter rounds to more than `limit`.
-fn beyond(limit: f32) -> f64 {
-    f64::from(limit.next_up())
+/// A number above which every parameter rounds to more than `limit`, which is
+/// not minus infinity.
+#[inline(always)]
+pub(super) fn beyond(limit: f32) -> f64 {
+    let x = f64::from(limit);
+    x + (x.abs() * f64::from(f32::EPSILON) + f64::from(f32::MIN_POSITIVE))
 }
 
 /// The hit of smallest `t`, ties by lowest geometry, then primitive.
@@ -61,11 +62,6 @@ impl Query for Closest {
     }
 
     #[inline(always)]
-    fn known(&self, number: u32) -> bool {
-        number == self.number
-    }
-
-    #[inline(always)]
     fn meet(&mut self, t: f32, triangle: &Triangle, number: u32) -> bool {
         if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
             let Triangle { geom, prim, .. } = *triangle;
@@ -89,12 +85,7 @@ impl Query for Any {
 
     #[inline(always)]
     fn beyond(&self) -> f64 {
-        f64::from(self.tmax.next_up())
-    }
-
-    #[inline(always)]
-    fn known(&self, _: u32) -> bool {
-        false
+        beyond(self.tmax)
     }
 
     #[inline(always)]
@@ -107,11 +98,12 @@ impl Query for Any {
 /// Whether the ray can hit anything: everything that [`Ray`] lists as a miss
 /// is not usable.
 fn usable(ray: &Ray) -> bool {
-    let finite = |v: &[f32; 3]| v.iter().all(|x| x.is_finite());
-    // Bits, not values: a denormal is not zero, whatever the caller's mode.
-    let moves = ray.dir.iter().any(|x| x.to_bits() << 1 != 0);
-    // NaN fails the comparison.
-    finite(&ray.org) && finite(&ray.dir) && moves && ray.tmin <= ray.tmax
+    let finite = |v: &[f32; 3]| v.iter().all(|x| x.abs() < f32::INFINITY);
+    let moves = ray.dir.iter().any(|x| *x != 0.0);
+    // NaN fails the comparisons. No t is infinite.
+    let range = ray.tmin <= ray.tmax && ray.tmin < f32::INFINITY && ray.tmax > f32::NEG_INFINITY;
+    // One branch, not one for each number.
+    finite(&ray.org) & finite(&ray.dir) & moves & range
 }
 
 impl View<'_> {
@@ -197,7 +189,9 @@ impl<C: Count> AnyKernel for ClosestKernel<'_, C> {
         let mut walk = Walk::new(lanes, self.view, self.ray, query, self.counters);
         walk.run();
         match walk.query.found() {
-            Some((number, t)) => hit(walk.line(), self.view.sections().triangle(number), t),
+            Some((number, t)) => {
+                hit(&Line::new(self.ray), self.view.sections().triangle(number), t)
+            }
             None => Hit::miss(self.ray.tmax),
         }
     }

@@ -8,17 +8,19 @@
 
 use glam::DVec3;
 
+use super::course::Course;
 use super::local::REACH;
 use crate::arena::layout::Grid;
+use crate::simd::Lanes;
 
 const STEPS: usize = 5;
 /// Terms of an exact local origin: the origin, the corner, two per step.
 const TERMS: usize = 2 + 2 * STEPS;
 
 /// A ray with its origin moved to a grid.
-pub(super) struct Moved {
+pub(super) struct Moved<L: Lanes> {
     /// The new origin, relative to the grid's lowest corner.
-    pub o: DVec3,
+    pub o: L::F64,
     /// The range of the new parameter.
     pub s0: f64,
     pub s1: f64,
@@ -30,16 +32,28 @@ pub(super) struct Moved {
 /// Moves an origin that is beyond reach; `None` if the ray misses the box.
 #[cold]
 #[inline(never)]
-pub(super) fn rebase(grid: &Grid, org: DVec3, dir: DVec3, t0: f64, t1: f64) -> Option<Moved> {
+pub(super) fn rebase<L: Lanes>(
+    l: L,
+    grid: &Grid,
+    course: &Course<L>,
+    t0: f64,
+    t1: f64,
+) -> Option<Moved<L>> {
+    let three = |v: L::F64| {
+        let [x, y, z, _] = l.array_f64(v);
+        DVec3::new(x, y, z)
+    };
+    let (org, dir) = (three(course.org), three(course.dir));
     let lo = DVec3::from_array(grid.lo);
-    let reach = DVec3::from_array(grid.cell) * REACH;
+    let cell = DVec3::from_array(grid.cell.map(f64::from));
+    let (reach, extent) = (cell * REACH, cell * DVec3::from_array(grid.n.map(f64::from)));
     let mut steps = [0.0; STEPS];
     let mut o = org - lo;
     for step in 0..STEPS {
         if !o.abs().cmpgt(reach).any() {
             break;
         }
-        steps[step] = entry(grid, o, dir);
+        steps[step] = entry(extent, o, dir);
         o = DVec3::from_array(core::array::from_fn(|k| place(org[k], lo[k], dir[k], &steps)));
     }
     // A ray that meets the box is in reach by now: each step places the entry
@@ -53,18 +67,16 @@ pub(super) fn rebase(grid: &Grid, org: DVec3, dir: DVec3, t0: f64, t1: f64) -> O
     let s0 = (t0 - base - slack) - t0.abs().min(f64::MAX) * 1e-15;
     let s1 = (t1 - base + slack) + t1.abs().min(f64::MAX) * 1e-15;
     // Parameters within the box are off by their own rounding too.
-    let across = (DVec3::from_array(grid.extent) + o.abs()).max_element() / dir.abs().max_element();
+    let across = (extent + o.abs()).max_element() / dir.abs().max_element();
     slack += across * 1e-15;
-    Some(Moved { o, s0, s1, base, slack })
+    Some(Moved { o: l.load_f64(&[o.x, o.y, o.z, 0.0]), s0, s1, base, slack })
 }
 
 /// The parameter at which the ray has passed the near planes of the box.
-fn entry(grid: &Grid, o: DVec3, dir: DVec3) -> f64 {
+fn entry(extent: DVec3, o: DVec3, dir: DVec3) -> f64 {
     let mut near = f64::NEG_INFINITY;
     for k in 0..3 {
-        if dir[k] != 0.0 {
-            near = near.max((-o[k] / dir[k]).min((grid.extent[k] - o[k]) / dir[k]));
-        }
+        near = near.max((-o[k] / dir[k]).min((extent[k] - o[k]) / dir[k]));
     }
     near
 }

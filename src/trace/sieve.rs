@@ -1,80 +1,119 @@
-//! A first look at a triangle, in `f32`: out for certain, or worth deciding?
+//! A first look at a few triangles, in `f32`: out for certain, or worth deciding?
 //!
-//! The triangle is sheared so that the ray becomes a coordinate axis (Woop,
-//! Benthin & Wald 2013), the three corners side by side in one register; it is
-//! out if the ray passes two of its edges on opposite sides by more than the
-//! error bound. A hit is never out: with e = 2^-24 and R the largest distance,
-//! along an axis, from the origin to the scene's box, a sheared coordinate is
-//! off by at most `6.1 e R` (difference 1, slope 1, product 1, third difference 1 twice,
-//! in units of e R). Call d = 8 e R. An edge product of corners i and j is then
-//! off by at most `2 d (|x_i| + |y_i| + |x_j| + |y_j|) + 4 d^2`, its own rounding
-//! included; the bound used is `3 d` times the sum of `|x| + |y| + 2 d` over both.
-//! Scenes so large or small that `f32` products leave their range are not sieved.
+//! Triangles are sheared so that the ray becomes a coordinate axis (Woop, Benthin &
+//! Wald 2013), the three corners side by side in one row; a triangle is out if the
+//! ray passes two of its edges on opposite sides by more than the error bound. A hit
+//! is never out. It is out, too, if the z of all corners is the z of parameters out of
+//! range. With e = 2^-24 and R the largest distance, along an axis, from
+//! the origin to the scene's box, a sheared coordinate is off by at most `6.1 e R`
+//! (difference 1, slope 1, product 1, third difference 1 twice, in units of e R). Call
+//! d = 8 e R. An edge product of corners i and j is then off by at most `2 d (|x_i|
+//! + |y_i| + |x_j| + |y_j|) + 4 d^2`, its own rounding included; the bound used is
+//! `3 d` times the sum of `|x| + |y| + 2 d` over both. A fused multiply-add only
+//! leaves roundings out. Scenes so large or small that `f32` products leave their
+//! range are not sieved.
 
-use crate::arena::layout::Triangle;
+use crate::arena::{Axis, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
 /// Distances within which products of two sheared coordinates, and of two of
 /// their error bounds, stay in the range of `f32`.
-const RANGE: core::ops::Range<f64> = 1e-14..1e14;
+const RANGE: core::ops::Range<f32> = 1e-14..1e14;
 
 /// A ray made ready for sieving triangles.
 #[derive(Clone, Copy)]
-pub struct Sieve<L: Lanes> {
+pub struct Sieve<'a, L: Lanes> {
     lanes: L,
-    /// The axes in the order x, y, z of the sheared space.
-    axes: [usize; 3],
-    org: [L::F32; 3],
-    shear: [L::F32; 2],
-    error: L::F32,
-    error_twice: L::F32,
+    /// The triangles along the axes that are x, y, z of the sheared space.
+    axes: [Axis<'a>; 3],
+    org: [L::Rows; 3],
+    shear: [L::Rows; 2],
+    error: L::Rows,
+    error_twice: L::Rows,
+    /// The range of z where t is in range.
+    range: [L::Rows; 2],
+    /// Component z of the direction, and that of `tmin`.
+    dir: f32,
+    start: f32,
     /// Whether the error bound holds.
     pub holds: bool,
 }
 
-impl<L: Lanes> Sieve<L> {
+/// For each set of axes along which a direction is longest, a bit each: one of
+/// them third, the others before.
+const ORDER: [[i32; 4]; 8] = {
+    let (x, y, z) = ([1, 2, 0, 3], [2, 0, 1, 3], [0, 1, 2, 3]);
+    [z, x, y, x, z, x, y, x]
+};
+
+/// The range of z, from that of `tmin` to that of `limit`. A corner's z is off by
+/// one rounding, and so are these.
+#[inline(always)]
+fn range<L: Lanes>(l: L, start: f32, dir: f32, limit: f32) -> [L::Rows; 2] {
+    let end = limit * dir;
+    let (lo, hi) = if dir > 0.0 { (start, end) } else { (end, start) };
+    let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + f32::MIN_POSITIVE;
+    [l.splat_rows(lo - room(lo)), l.splat_rows(hi + room(hi))]
+}
+
+impl<'a, L: Lanes> Sieve<'a, L> {
+    /// `org` and `dir` are the ray's, `lo` and `hi` the corners of the scene's box;
+    /// fourth lanes mean nothing.
     #[inline(always)]
-    pub fn new(lanes: L, ray: &Ray, (lo, hi): ([f32; 3], [f32; 3])) -> Self {
-        let d = ray.dir.map(f32::abs);
-        let z = if d[0] > d[1] && d[0] > d[2] {
-            0
-        } else if d[1] > d[2] {
-            1
-        } else {
-            2
-        };
-        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        let mut far = 0.0f64;
-        for k in 0..3 {
-            let o = f64::from(ray.org[k]);
-            far = far.max(f64::from(hi[k]) - o).max(o - f64::from(lo[k]));
-        }
-        let error = (far * (8.0 / f64::from(1 << 24))) as f32;
-        let slope = |k: usize| (f64::from(ray.dir[k]) / f64::from(ray.dir[z])) as f32;
+    pub fn new(
+        l: L,
+        sections: &Sections<'a>,
+        ray: &Ray,
+        [org, dir]: [L::F32; 2],
+        [lo, hi]: [L::F32; 2],
+    ) -> Self {
+        let size = l.abs_f32(dir);
+        let order = &ORDER[l.equals(size, l.highest(size)) as usize];
+        let far = l.first(l.highest(l.max_f32(l.sub_f32(hi, org), l.sub_f32(org, lo))));
+        let (org, dir) = (l.permute(org, order), l.permute(dir, order));
+        let slope = l.div_f32(dir, l.permute(dir, &[2; 4]));
+        // The difference may have rounded down: 8.01 makes up for it.
+        let error = far * (8.01 / (1 << 24) as f32);
+        let dir = l.first(l.permute(dir, &[2; 4]));
+        let start = ray.tmin * dir;
         Self {
-            lanes,
-            axes: [x, y, z],
-            org: [x, y, z].map(|k| lanes.splat_f32(ray.org[k])),
-            shear: [x, y].map(|k| lanes.splat_f32(slope(k))),
-            error: lanes.splat_f32(3.0 * error),
-            error_twice: lanes.splat_f32(2.0 * error),
-            holds: RANGE.contains(&far),
+            lanes: l,
+            axes: [
+                sections.axis(order[0] as usize),
+                sections.axis(order[1] as usize),
+                sections.axis(order[2] as usize),
+            ],
+            org: [l.spread::<0>(org), l.spread::<1>(org), l.spread::<2>(org)],
+            shear: [l.spread::<0>(slope), l.spread::<1>(slope)],
+            error: l.splat_rows(3.0 * error),
+            error_twice: l.splat_rows(2.0 * error),
+            range: range(l, start, dir, ray.tmax),
+            dir,
+            start,
+            holds: (RANGE.start < far) & (far < RANGE.end),
         }
     }
 
-    /// Whether the ray's line certainly misses the triangle.
+    /// Sets the largest t of interest.
     #[inline(always)]
-    pub fn out(&self, triangle: &Triangle) -> bool {
+    pub fn limit(&mut self, limit: f32) {
+        self.range = range(self.lanes, self.start, self.dir, limit);
+    }
+
+    /// Bit 4 i + 3 for each of [`Lanes::ROWS`] triangles, from references: whether
+    /// the ray certainly does not meet it in range. Other bits mean nothing.
+    #[inline(always)]
+    pub fn out(&self, refs: impl Fn(usize) -> u32) -> u32 {
         let l = self.lanes;
-        let rows: &[[f32; 4]; 3] = bytemuck::cast_ref(triangle);
-        let [x, y, z] = self.axes;
-        let local = |k: usize, i: usize| l.sub_f32(l.load(&rows[k]), self.org[i]);
-        let (x, y, z) = (local(x, 0), local(y, 1), local(z, 2));
-        let x = l.sub_f32(x, l.mul_f32(self.shear[0], z));
-        let y = l.sub_f32(y, l.mul_f32(self.shear[1], z));
-        let side = l.sub_f32(l.mul_f32(x, l.rotate(y)), l.mul_f32(y, l.rotate(x)));
-        let size = l.add_f32(l.add_f32(l.abs_f32(x), l.abs_f32(y)), self.error_twice);
-        l.both_sides(side, l.mul_f32(self.error, l.add_f32(size, l.rotate(size))))
+        let x = l.sub_rows(l.rows(|i| self.axes[0].row(refs(i))), self.org[0]);
+        let y = l.sub_rows(l.rows(|i| self.axes[1].row(refs(i))), self.org[1]);
+        let z = l.sub_rows(l.rows(|i| self.axes[2].row(refs(i))), self.org[2]);
+        let x = l.less_product(x, self.shear[0], z);
+        let y = l.less_product(y, self.shear[1], z);
+        let side = l.cross_rows(x, l.rotate(y), y, l.rotate(x));
+        let size = l.add_rows(l.add_rows(l.abs_rows(x), l.abs_rows(y)), self.error_twice);
+        let error = l.mul_rows(self.error, l.add_rows(size, l.rotate(size)));
+        l.misses(side, error, z, self.range)
     }
 }

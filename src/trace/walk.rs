@@ -11,30 +11,48 @@
 //! levels, at most 16.
 
 use super::counters::Count;
-use super::local::{Course, Local};
-use super::query::{Query, visible};
+use super::course::Course;
+use super::local::Local;
+use super::query::{Query, beyond, visible};
 use super::sieve::Sieve;
-use crate::arena::layout::{EMPTY, EXIT_BITS, EXIT_MAX, GRID, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
+use crate::arena::layout::{EMPTY, EXIT_MAX, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
-use crate::ray::Ray;
+use crate::ray::{NONE, Ray};
 use crate::simd::{Kernel, Lanes};
 use crate::triangle::Line;
+
+/// Entries of [`Walk::decided`].
+const DECIDED: usize = 8;
+
+/// What came of a voxel.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Met {
+    /// Nothing that the query did not know.
+    Nothing,
+    /// Perhaps a hit: the query's limit may be another.
+    Something,
+    /// All that the query wants.
+    Enough,
+}
 
 /// A query on its way.
 pub(crate) struct Walk<'a, Q, C, L: Lanes> {
     lanes: L,
     sections: Sections<'a>,
     ray: &'a Ray,
-    line: Line,
-    sieve: Sieve<L>,
+    sieve: Sieve<'a, L>,
     course: Course<L>,
-    /// All ones in the lanes of axes along which the ray descends.
-    descends: L::I32,
-    /// Where an exit box's word has the reach along the ray, and its mask.
-    shift: L::I32,
-    mask: L::I32,
+    /// Triangles that were decided lately, by the low bits of their numbers: what is
+    /// in many voxels is decided once.
+    decided: [u32; DECIDED],
     pub query: Q,
     counters: &'a mut C,
+}
+
+/// A step: where the ray leaves, and the voxel there.
+struct Step<L: Lanes> {
+    out: f32,
+    to: L::I32,
 }
 
 /// [`Walk::grid`], compiled for the walk's instruction set.
@@ -53,23 +71,35 @@ impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Enter<'_, '_, Q, C, L> {
     }
 }
 
-impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
+/// [`Walk::decide`], likewise.
+struct Decide<'w, 'a, Q, C, L: Lanes> {
+    walk: &'w mut Walk<'a, Q, C, L>,
+    number: u32,
+}
+
+impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Decide<'_, '_, Q, C, L> {
+    type Out = bool;
     #[inline(always)]
-    pub fn new(lanes: L, view: &View<'a>, ray: &'a Ray, query: Q, counters: &'a mut C) -> Self {
-        let down = ray.dir.map(|d| i32::from(d < 0.0));
-        let bits = EXIT_BITS as i32;
-        let shift = |k: usize| bits * (2 * k as i32 + 1 - down[k]);
-        let most = EXIT_MAX as i32;
+    fn run(self, _: L) -> bool {
+        self.walk.decide(self.number)
+    }
+}
+
+impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
+    /// A walk for a ray that is known to be usable.
+    #[inline(always)]
+    pub fn new(l: L, view: &View<'a>, ray: &'a Ray, query: Q, counters: &'a mut C) -> Self {
+        let [org, dir, _] = ray.rows();
+        let (org, dir) = (l.load3(org), l.load3(dir));
+        let [lo, hi] = view.header().corners();
+        let sections = view.sections();
         Self {
-            lanes,
-            sections: view.sections(),
+            lanes: l,
+            sections,
             ray,
-            line: Line::new(ray),
-            sieve: Sieve::new(lanes, ray, view.bounds()),
-            course: Course::new(lanes, ray),
-            descends: lanes.i32([-down[0], -down[1], -down[2], 0]),
-            shift: lanes.i32([shift(0), shift(1), shift(2), 0]),
-            mask: lanes.i32([most, most, most, 0]),
+            sieve: Sieve::new(l, &sections, ray, [org, dir], [l.load_f32(lo), l.load_f32(hi)]),
+            course: Course::new(l, org, dir, ray, view.header().unit),
+            decided: [NONE; DECIDED],
             query,
             counters,
         }
@@ -79,16 +109,16 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     #[inline(always)]
     pub fn run(&mut self) {
         // A t that rounds to tmin may lie below it, one that rounds to tmax above.
-        let (t0, t1) = (self.ray.tmin.next_down(), self.ray.tmax.next_up());
-        self.grid(0, f64::from(t0), f64::from(t1));
+        let t0 = -beyond(-self.ray.tmin) * self.course.per_t;
+        let t1 = beyond(self.ray.tmax) * self.course.per_t;
+        self.grid(0, t0, t1);
     }
 
-    /// The line that triangles are met with.
-    pub fn line(&self) -> &Line {
-        &self.line
+    fn limit(&self) -> f64 {
+        self.query.beyond() * self.course.per_t
     }
 
-    /// Walks a grid where the ray's parameter is in `[t0, t1]`; `true` if the
+    /// Walks a grid where the ray's parameter tau is in `[t0, t1]`; `true` if the
     /// query wants no more.
     #[inline(always)]
     fn grid(&mut self, number: u32, t0: f64, t1: f64) -> bool {
@@ -98,98 +128,144 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         let Some(local) = Local::enter(l, grid, &self.course, t0, t1) else {
             return false;
         };
-        let (row, plane) = (grid.n[0] as usize, grid.n[0] as usize * grid.n[1] as usize);
-        let n = l.i32([grid.n[0] as i32, grid.n[1] as i32, grid.n[2] as i32, 1]);
-        let (zero, last) = (l.splat_i32(0), l.sub(n, l.splat_i32(1)));
-        let first = grid.first as usize;
-
-        let entry = l.truncate(l.mul_add(l.splat_f64(local.s0), local.speed, local.start));
-        let mut at = l.min(l.max(entry, zero), last);
-        let mut s = local.s0;
+        let mut at = local.at;
+        let mut s = 0.0;
+        let mut stop = local.stop(self.limit());
         loop {
-            // Beyond the limit, where t rounds to more than the limit's f32.
-            if local.t_low(s) > self.query.beyond() {
-                return false;
-            }
-            let [x, y, z, _] = l.array(at);
-            let voxel =
-                self.sections.voxel(first + z as usize * plane + y as usize * row + x as usize);
+            let voxel = self.sections.voxel(local.number(l, &self.course, at) as usize);
             self.counters.voxel();
             let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
-            let (exit, refs) = match tag {
-                EMPTY => (payload, &[][..]),
-                LIST => self.sections.list(payload),
-                _ => (0, &[][..]),
+            let step = if tag == EMPTY {
+                // The tag's bits are beyond those of the exit box, and 0.
+                self.step(&local, at, voxel)
+            } else {
+                let (exit, refs) =
+                    if tag == LIST { self.sections.list(payload) } else { (0, &[][..]) };
+                let step = self.step(&local, at, exit);
+                let met = if tag == LIST && refs.last().is_none_or(|r| r & GRID_BIT == 0) {
+                    self.triangles(refs)
+                } else {
+                    let until = if step.out < stop { step.out } else { stop };
+                    self.mixed(tag, payload, refs, local.low(s), local.high(until))
+                };
+                match met {
+                    Met::Nothing => {}
+                    Met::Something => stop = local.stop(self.limit()),
+                    Met::Enough => return true,
+                }
+                step
             };
-            // The last voxel of the exit box, then the plane behind it.
-            let reach = l.and(l.shift_right(l.splat_i32(exit as i32), self.shift), self.mask);
-            let end = l.add(at, l.sub(l.xor(reach, self.descends), self.descends));
-            let behind = l.add(l.add(end, l.splat_i32(1)), self.descends);
-            let leave = l.mul_add(l.to_f64(behind), local.per_plane, local.at_zero);
-            let lowest = l.lowest(leave);
-            let out = l.first(lowest);
-            let until = if out < local.s1 { out } else { local.s1 };
-            if tag != EMPTY && self.meet(tag, payload, refs, local.t_low(s), local.t_high(until)) {
-                return true;
-            }
-            if out >= local.s1 {
+            // False for NaN too.
+            if !(step.out < stop) {
                 return false;
             }
-            s = if out > s { out } else { s };
-            // Off the axis of the exit the position says where, inside the box.
-            let position = l.truncate(l.mul_add(lowest, local.speed, local.start));
-            let inside = l.min(l.max(position, l.min(at, end)), l.max(at, end));
-            let next = l.add(l.add(end, l.splat_i32(1)), l.add(self.descends, self.descends));
-            at = l.select_eq(leave, lowest, next, inside);
-            if l.outside(at, n) {
+            s = step.out;
+            at = step.to;
+            if l.any_greater(at, local.last) {
                 return false;
             }
         }
     }
 
-    /// Meets what a voxel refers to; the ray is in its exit box for `[t0, t1]`.
+    /// Leaves the exit box `exit` of voxel `at`.
     #[inline(always)]
-    fn meet(&mut self, tag: u32, payload: u32, refs: &[u32], t0: f64, t1: f64) -> bool {
-        if tag == GRID {
+    fn step(&self, local: &Local<L>, at: L::I32, exit: u32) -> Step<L> {
+        let l = self.lanes;
+        let most = l.splat_i32(EXIT_MAX as i32);
+        let reach = l.and(l.shift_right(l.splat_i32(exit as i32), self.course.shift), most);
+        // The planes behind the box, and where the ray is at the first of them.
+        let behind = l.add(l.add(at, l.splat_i32(1)), reach);
+        let leave = Self::mul_add(l, l.to_f32(behind), local.pace, local.zero);
+        let lowest = l.lowest(leave);
+        // Off the axis of the exit the position says where, inside the box.
+        let exits = l.equal(leave, lowest);
+        let low = l.select(exits, at, behind);
+        let high = l.sub(l.sub(behind, l.splat_i32(1)), exits);
+        let position = l.truncate(Self::mul_add(l, lowest, local.speed, local.start));
+        Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
+    }
+
+    /// Rounded once wherever steps are counted, so that their number depends on
+    /// no instruction set.
+    #[inline(always)]
+    fn mul_add(l: L, a: L::F32, b: L::F32, c: L::F32) -> L::F32 {
+        if C::COUNTS { l.mul_add::<true>(a, b, c) } else { l.mul_add::<false>(a, b, c) }
+    }
+
+    /// Meets what a voxel that refers to grids refers to; the ray is in its exit
+    /// box for tau in `[t0, t1]`.
+    #[inline(always)]
+    fn mixed(&mut self, tag: u32, payload: u32, refs: &[u32], t0: f64, t1: f64) -> Met {
+        if tag != LIST {
             return self.below(payload, t0, t1);
         }
-        for &r in refs {
-            if r & GRID_BIT != 0 {
-                if self.below(r & !GRID_BIT, t0, t1) {
-                    return true;
-                }
-            } else if self.triangle(r) {
-                return true;
+        let triangles = refs.partition_point(|r| r & GRID_BIT == 0);
+        let mut met = self.triangles(&refs[..triangles]);
+        for r in &refs[triangles..] {
+            if met == Met::Enough {
+                break;
             }
+            met = met.max(self.below(r & !GRID_BIT, t0, t1));
         }
-        false
+        met
     }
 
-    fn below(&mut self, number: u32, t0: f64, t1: f64) -> bool {
-        self.lanes.run(Enter { walk: self, number, t0, t1 })
+    #[cold]
+    fn below(&mut self, number: u32, t0: f64, t1: f64) -> Met {
+        if self.lanes.run(Enter { walk: self, number, t0, t1 }) {
+            Met::Enough
+        } else {
+            Met::Something
+        }
     }
 
     #[inline(always)]
-    fn triangle(&mut self, number: u32) -> bool {
-        self.counters.test();
-        let triangle = self.sections.triangle(number);
-        if self.sieve.holds && self.sieve.out(triangle) || self.query.known(number) {
-            return false;
+    fn triangles(&mut self, refs: &[u32]) -> Met {
+        let mut met = Met::Nothing;
+        let mut rest = refs;
+        while let Some(last) = rest.len().checked_sub(1) {
+            let few = last.min(L::ROWS - 1);
+            self.counters.tests(few + 1);
+            let out = self.sieve.out(|i| rest[i.min(few)]);
+            let all = 0x8888 >> (4 * (3 - few));
+            let mut left = if self.sieve.holds { all & !out } else { all };
+            while left != 0 {
+                let number = rest[left.trailing_zeros() as usize / 4];
+                left &= left - 1;
+                let decided = &mut self.decided[number as usize % DECIDED];
+                if *decided != number || C::COUNTS {
+                    *decided = number;
+                    if self.decide_apart(number) {
+                        return Met::Enough;
+                    }
+                    met = Met::Something;
+                }
+            }
+            rest = &rest[few + 1..];
         }
-        self.decide(number)
+        met
+    }
+
+    /// [`Walk::decide`]; cold, so that the walk's registers are not spilled where
+    /// there is nothing to decide.
+    #[cold]
+    fn decide_apart(&mut self, number: u32) -> bool {
+        self.lanes.run(Decide { walk: self, number })
     }
 
     /// The exact test of what the sieve let through.
-    #[inline(never)]
+    #[inline(always)]
     fn decide(&mut self, number: u32) -> bool {
         let triangle = self.sections.triangle(number);
         if !visible(self.ray, triangle) {
             return false;
         }
-        match self.line.meet(&triangle.corners(), self.query.limit()) {
+        match Line::new(self.ray).meet(&triangle.corners(), self.query.limit()) {
             Some(t) => {
                 self.counters.hit();
-                self.query.meet(t, triangle, number)
+                let enough = self.query.meet(t, triangle, number);
+                self.sieve.limit(self.query.limit());
+                enough
             }
             None => false,
         }
