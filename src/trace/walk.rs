@@ -186,10 +186,10 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         if !visible(self.ray, triangle) {
             return false;
         }
-        match self.line.meet(&triangle.corners(), self.query.limit()) {
-            Some(t) => {
+        match self.query.meet(&self.line, triangle, number) {
+            Some(done) => {
                 self.counters.hit();
-                self.query.meet(t, triangle, number)
+                done
             }
             None => false,
         }
