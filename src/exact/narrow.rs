@@ -15,6 +15,11 @@ pub const WIDTH: u32 = 62;
 type Vector = [i64; 3];
 
 #[inline(always)]
+fn vector(span: Span, [x, y, z]: [f32; 3]) -> Vector {
+    [span.integer(x), span.integer(y), span.integer(z)]
+}
+
+#[inline(always)]
 fn sub(a: &Vector, b: &Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -31,56 +36,57 @@ fn dot(a: &[i128; 3], b: &Vector) -> Quad {
     Quad::product(a[0], b[0]).add(Quad::product(a[1], b[1])).add(Quad::product(a[2], b[2]))
 }
 
-/// The edges from the first corner, the origin seen from it, and the direction.
-struct Edges {
+/// The edges from the first corner, the origin seen from it, the direction, and
+/// the cross product of the second and the first edge.
+pub struct Edges {
     e1: Vector,
     e2: Vector,
     from: Vector,
     dir: Vector,
-    scale: i32,
+    normal: [i128; 3],
 }
 
-impl Edges {
+impl Meeting for Edges {
+    type Int = Quad;
+
     #[inline(always)]
     fn new(case: &Case) -> Self {
-        let place = |v: [f32; 3]| v.map(|x| case.place.integer(x));
-        let [a, b, c] = case.corners.map(place);
-        Self {
-            e1: sub(&b, &a),
-            e2: sub(&c, &a),
-            from: sub(&place(case.org), &a),
-            dir: case.dir.map(|x| case.heading.integer(x)),
-            scale: case.place.exponent() - case.heading.exponent(),
-        }
+        let point = |i: usize| vector(case.place, case.points[i]);
+        let a = point(1);
+        let (e1, e2, from) = (sub(&point(2), &a), sub(&point(3), &a), sub(&point(0), &a));
+        let normal = cross(&e2, &e1);
+        Self { e1, e2, from, dir: vector(case.heading, case.dir), normal }
     }
 
-    /// Minus the numerator and the denominator of `t`.
     #[inline(always)]
-    fn height(&self) -> (Quad, Quad) {
-        let normal = cross(&self.e2, &self.e1);
-        (dot(&normal, &self.from).neg(), dot(&normal, &self.dir))
+    fn det(&self) -> Quad {
+        dot(&self.normal, &self.dir)
     }
-}
 
-/// The numerator and the denominator of `t`, and the exponent of its unit.
-pub fn height(case: &Case) -> (Quad, Quad, i32) {
-    let edges = Edges::new(case);
-    let (height, det) = edges.height();
-    (height, det, edges.scale)
-}
+    #[inline(always)]
+    fn u(&self) -> Quad {
+        dot(&cross(&self.e2, &self.from), &self.dir)
+    }
 
-pub fn meeting(case: &Case) -> Meeting<Quad> {
-    let edges = Edges::new(case);
-    let (height, det) = edges.height();
-    let u = dot(&cross(&edges.e2, &edges.from), &edges.dir);
-    let v = dot(&cross(&edges.from, &edges.e1), &edges.dir);
-    let weights = [det.add(u.neg()).add(v.neg()), u, v];
-    Meeting { weights, det, height, scale: edges.scale }
+    #[inline(always)]
+    fn v(&self) -> Quad {
+        dot(&cross(&self.from, &self.e1), &self.dir)
+    }
+
+    #[inline(always)]
+    fn w(det: &Quad, u: &Quad, v: &Quad) -> Quad {
+        det.add(u.neg()).add(v.neg())
+    }
+
+    #[inline(always)]
+    fn height(&self) -> Quad {
+        dot(&self.normal, &self.from).neg()
+    }
 }
 
 /// Whether a triangle whose coordinates have this span has no area.
 pub fn degenerate(corners: &[[f32; 3]; 3], place: Span) -> bool {
-    let [a, b, c] = corners.map(|v| v.map(|x| place.integer(x)));
+    let [a, b, c] = corners.map(|v| vector(place, v));
     cross(&sub(&b, &a), &sub(&c, &a)) == [0; 3]
 }
 

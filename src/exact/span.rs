@@ -18,7 +18,7 @@ fn field(bits: u32) -> u32 {
 
 impl Span {
     #[inline(always)]
-    pub fn of<'a>(values: impl Iterator<Item = &'a f32>) -> Self {
+    pub fn of(values: &[f32]) -> Self {
         let (mut least, mut most) = (u32::MAX, 0);
         for x in values {
             let size = x.to_bits() & !SIGN;

@@ -30,16 +30,44 @@ fn vector(span: Span, v: [f32; 3]) -> Vector {
     })
 }
 
-/// On the corners seen from the origin.
-pub fn meeting(case: &Case) -> Meeting<Int> {
-    let o = vector(case.place, case.org);
-    let [a, b, c] = case.corners.map(|v| sub(&vector(case.place, v), &o));
-    let d = vector(case.heading, case.dir);
-    let bc = cross(&b, &c);
-    let weights = [dot(&d, &bc), dot(&d, &cross(&c, &a)), dot(&d, &cross(&a, &b))];
-    let det = weights[0].add(&weights[1]).add(&weights[2]);
-    let scale = case.place.exponent() - case.heading.exponent();
-    Meeting { weights, det, height: dot(&a, &bc), scale }
+/// As [`super::narrow::Edges`].
+pub struct Edges {
+    e1: Vector,
+    e2: Vector,
+    from: Vector,
+    dir: Vector,
+    normal: Vector,
+}
+
+impl Meeting for Edges {
+    type Int = Int;
+
+    fn new(case: &Case) -> Self {
+        let [o, a, b, c] = case.points.map(|v| vector(case.place, v));
+        let (e1, e2) = (sub(&b, &a), sub(&c, &a));
+        let normal = cross(&e2, &e1);
+        Self { e1, e2, from: sub(&o, &a), dir: vector(case.heading, case.dir), normal }
+    }
+
+    fn det(&self) -> Int {
+        dot(&self.normal, &self.dir)
+    }
+
+    fn u(&self) -> Int {
+        dot(&cross(&self.e2, &self.from), &self.dir)
+    }
+
+    fn v(&self) -> Int {
+        dot(&cross(&self.from, &self.e1), &self.dir)
+    }
+
+    fn w(det: &Int, u: &Int, v: &Int) -> Int {
+        det.sub(u).sub(v)
+    }
+
+    fn height(&self) -> Int {
+        dot(&self.normal, &self.from).neg()
+    }
 }
 
 /// Whether a triangle whose coordinates have this span has no area.
