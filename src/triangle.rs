@@ -9,182 +9,182 @@
 //! triangles, at any scale, as in Woop, Benthin & Wald (2013) but with no
 //! perturbation of the vertices.
 //!
-//! `f64` decides nearly always, on the edges `e1 = b - a`, `e2 = c - a` (Moeller &
-//! Trumbore 1997), whose smallness keeps the errors small. With e = 2^-53, a
-//! difference of two `f32` carries a relative error e; a product of three factors,
-//! two of them differences, 4e; the sum of six such products 3e more of its
-//! magnitudes. With s the sum of |dir| and m1, m2, m0 the largest coordinates of e1,
-//! e2 and `org - a`, the six products of a determinant sum up to at most `2 s m m`
-//! of the two m involved, of the height to `6 m0 m1 m2`: errors `14 e s m m` and
-//! `48 e m0 m1 m2`; used are 16 and 64. Magnitudes lie within 2^-450 and 2^400, so
-//! `f64` neither overflows nor loses bits to underflow. What the bounds leave open
-//! `exact` decides, so the result does not depend on the order of operations, on
-//! fused multiply-add, or on the instruction set.
+//! `estimate` decides in `f64` where its error bounds allow, which is nearly always;
+//! what they leave open `exact` decides. So the result does not depend on the order
+//! of operations, on fused multiply-add, or on the instruction set.
 
-use crate::exact::Case;
+mod estimate;
+
+use crate::arena::layout::Triangle;
+use crate::exact::{self, Case};
 use crate::ray::Ray;
 
-use glam::DVec3;
+use estimate::{E, Estimate, Sides};
 
-const E: f64 = 1.0 / (1u64 << 53) as f64;
+type Vector = [f64; 3];
+
+/// The corners of a triangle, however they are stored.
+pub trait Corners {
+    /// Their coordinates along an axis.
+    fn along(&self, axis: usize) -> [f32; 3];
+
+    #[inline(always)]
+    fn all(&self) -> [[f32; 3]; 3] {
+        let (x, y, z) = (self.along(0), self.along(1), self.along(2));
+        [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]]
+    }
+}
+
+impl Corners for [[f32; 3]; 3] {
+    #[inline(always)]
+    fn along(&self, axis: usize) -> [f32; 3] {
+        self.map(|corner| corner[axis])
+    }
+}
+
+impl Corners for Triangle {
+    #[inline(always)]
+    fn along(&self, axis: usize) -> [f32; 3] {
+        [self.x, self.y, self.z][axis]
+    }
+}
 
 /// A ray made ready for many triangles.
 #[derive(Clone, Copy)]
 pub struct Line {
-    org: [f32; 3],
-    dir: [f32; 3],
-    o: DVec3,
-    d: DVec3,
-    /// Sum of the direction's magnitudes.
-    s: f64,
+    org: Vector,
+    dir: Vector,
+    /// Finite, or positive infinity.
     tmin: f32,
 }
 
-/// A number and a bound of its error.
-#[derive(Clone, Copy)]
-struct About {
-    value: f64,
-    error: f64,
+/// A `t` too large for `f32` is no hit: no ray could be ended there.
+#[inline(always)]
+fn finite(tmax: f32) -> f32 {
+    if tmax < f32::MAX { tmax } else { f32::MAX }
 }
 
-/// Where a line meets a triangle: `u`, `v` and `t` are these over `det`.
-struct Estimate {
-    u: About,
-    v: About,
-    height: About,
-    det: About,
+#[inline(always)]
+fn double(v: [f32; 3]) -> Vector {
+    v.map(f64::from)
 }
 
-enum Sides {
-    Outside,
-    Inside,
-    Unsure,
+#[inline(always)]
+fn sub(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-fn double(v: [f32; 3]) -> DVec3 {
-    DVec3::from_array(v.map(f64::from))
+#[inline(always)]
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 impl Line {
-    pub fn new(ray: &Ray) -> Self {
-        let d = double(ray.dir);
-        Self {
-            org: ray.org,
-            dir: ray.dir,
-            o: double(ray.org),
-            d,
-            s: d.abs().element_sum(),
-            tmin: ray.tmin,
-        }
-    }
-
     #[inline(always)]
-    fn estimate(&self, triangle: &[[f32; 3]; 3]) -> Estimate {
-        let [a, b, c] = triangle.map(double);
-        let (e1, e2, from) = (b - a, c - a, self.o - a);
-        let (p, q) = (self.d.cross(e2), from.cross(e1));
-        let (m0, m1, m2) =
-            (from.abs().max_element(), e1.abs().max_element(), e2.abs().max_element());
-        let bound = 16.0 * E * self.s;
-        Estimate {
-            u: About { value: from.dot(p), error: bound * m0 * m2 },
-            v: About { value: self.d.dot(q), error: bound * m0 * m1 },
-            height: About { value: e2.dot(q), error: 64.0 * E * m0 * m1 * m2 },
-            det: About { value: e1.dot(p), error: bound * m1 * m2 },
-        }
+    pub fn new(ray: &Ray) -> Self {
+        let tmin = if ray.tmin > f32::MIN { ray.tmin } else { f32::MIN };
+        Self { org: double(ray.org), dir: double(ray.dir), tmin }
     }
 
     /// The rounded `t` of the hit, if there is one with `tmin <= t <= tmax`.
     #[inline(always)]
-    pub fn meet(&self, triangle: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
-        let near = self.estimate(triangle);
+    pub fn meet(&self, triangle: &impl Corners, tmax: f32) -> Option<f32> {
+        let near = Estimate::new(&self.org, &self.dir, triangle);
         match near.sides() {
             Sides::Outside => None,
             Sides::Inside => {
-                let (low, high) = near.quotient(near.height);
-                if high < self.tmin || low > tmax {
+                let t = near.t();
+                if t.low == t.high {
+                    self.in_range(t.low, tmax)
+                } else if t.high < self.tmin || t.low > tmax {
                     None
-                } else if low.to_bits() == high.to_bits() {
-                    self.in_range(low, tmax)
                 } else {
-                    self.meet_exactly(triangle, tmax)
+                    self.in_range(self.t_inside(&triangle.all()), tmax)
                 }
             }
-            Sides::Unsure => self.meet_exactly(triangle, tmax),
+            Sides::Unsure => self.meet_exactly(&triangle.all(), tmax),
         }
     }
 
-    #[cold]
-    #[inline(never)]
-    fn meet_exactly(&self, triangle: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
-        Case::new(&self.org, &self.dir, triangle).t().and_then(|t| self.in_range(t, tmax))
-    }
-
-    /// A `t` too large for `f32` is no hit: no ray could be ended there.
-    fn in_range(&self, t: f32, tmax: f32) -> Option<f32> {
-        (t >= self.tmin && t <= tmax && t.abs() < f32::INFINITY).then_some(t)
+    /// Whether there is a hit with `tmin <= t <= tmax`.
+    #[inline(always)]
+    pub fn pierces(&self, triangle: &impl Corners, tmax: f32) -> bool {
+        let near = Estimate::new(&self.org, &self.dir, triangle);
+        match near.sides() {
+            Sides::Outside => false,
+            Sides::Inside => {
+                let t = near.t();
+                if t.low >= self.tmin && t.high <= finite(tmax) {
+                    true
+                } else if t.high < self.tmin || t.low > tmax {
+                    false
+                } else {
+                    self.in_range(self.t_inside(&triangle.all()), tmax).is_some()
+                }
+            }
+            Sides::Unsure => self.meet_exactly(&triangle.all(), tmax).is_some(),
+        }
     }
 
     /// The weights `u` of `v1` and `v` of `v2` where the line meets a triangle
     /// that it is known to pierce.
-    pub fn weights(&self, triangle: &[[f32; 3]; 3]) -> (f32, f32) {
-        let near = self.estimate(triangle);
-        let ((u, u_high), (v, v_high)) = (near.quotient(near.u), near.quotient(near.v));
-        if u.to_bits() == u_high.to_bits() && v.to_bits() == v_high.to_bits() {
-            return (u, v);
-        }
-        Case::new(&self.org, &self.dir, triangle).weights()
-    }
-}
-
-impl Estimate {
     #[inline(always)]
-    fn sides(&self) -> Sides {
-        // The sign of det, for certain or not, is the one the weights must have.
-        let sign = 1.0f64.copysign(self.det.value);
-        let (u, v, det) = (sign * self.u.value, sign * self.v.value, self.det.value.abs());
-        let w = det - u - v;
-        // The two differences round by less than half of what det may be off,
-        // or of what u and v may: their sum bounds w's error, doubled for safety.
-        let w_error = 2.0 * (self.u.error + self.v.error + self.det.error)
-            + 4.0 * E * (det + u.abs() + v.abs());
-        if det <= self.det.error {
-            Sides::Unsure
-        } else if u < -self.u.error || v < -self.v.error || w < -w_error {
-            Sides::Outside
-        } else if u > self.u.error && v > self.v.error && w > w_error {
-            Sides::Inside
-        } else {
-            Sides::Unsure
+    pub fn weights(&self, triangle: &impl Corners) -> (f32, f32) {
+        let near = Estimate::new(&self.org, &self.dir, triangle);
+        match near.weights() {
+            Some((u, v)) if u.low == u.high && v.low == v.high => (u.low + 0.0, v.low + 0.0),
+            _ => self.weights_exactly(&triangle.all()),
         }
     }
 
-    /// `f32` bounds of `num / det`, equal when the rounding is certain.
     #[inline(always)]
-    fn quotient(&self, num: About) -> (f32, f32) {
-        let q = num.value / self.det.value;
-        let room = self.det.value.abs() - self.det.error;
-        if room <= 0.0 {
-            return (f32::NEG_INFINITY, f32::INFINITY);
-        }
-        let error =
-            (num.error + q.abs() * self.det.error) / room * (1.0 + 1e-6) + q.abs() * (4.0 * E);
+    fn in_range(&self, t: f32, tmax: f32) -> Option<f32> {
         // Adding +0 turns -0 into +0 and changes nothing else.
-        ((q - error) as f32 + 0.0, (q + error) as f32 + 0.0)
+        (t >= self.tmin && t <= finite(tmax)).then_some(t + 0.0)
+    }
+
+    fn case(&self, corners: &[[f32; 3]; 3]) -> Case {
+        // They were widened without loss.
+        Case::new(self.org.map(|x| x as f32), self.dir.map(|x| x as f32), *corners)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn t_inside(&self, corners: &[[f32; 3]; 3]) -> f32 {
+        self.case(corners).t_inside()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn meet_exactly(&self, corners: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
+        self.case(corners).t().and_then(|t| self.in_range(t, tmax))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn weights_exactly(&self, corners: &[[f32; 3]; 3]) -> (f32, f32) {
+        self.case(corners).weights()
     }
 }
 
 /// `(v1 - v0) x (v2 - v0)` in `f64`, then rounded.
-pub fn normal(triangle: &[[f32; 3]; 3]) -> [f32; 3] {
-    let [a, b, c] = triangle.map(double);
-    (b - a).cross(c - a).to_array().map(|n| n as f32)
+#[inline(always)]
+pub fn normal(triangle: &impl Corners) -> [f32; 3] {
+    let [a, b, c] = triangle.all().map(double);
+    cross(sub(b, a), sub(c, a)).map(|n| n as f32)
 }
 
 /// Whether the triangle has no area, exactly.
-pub fn degenerate(triangle: &[[f32; 3]; 3]) -> bool {
-    let [a, b, c] = triangle.map(double);
-    let (e1, e2) = (b - a, c - a);
-    let m = e1.abs().max_element() * e2.abs().max_element();
-    let certain = e1.cross(e2).abs().max_element() > 16.0 * E * m;
-    !certain && crate::exact::degenerate(triangle)
+#[inline]
+pub fn degenerate(corners: &[[f32; 3]; 3]) -> bool {
+    let [a, b, c] = corners.map(double);
+    let (e1, e2) = (sub(b, a), sub(c, a));
+    // Equal products of differences are computed equal but for three roundings
+    // each: a difference of more than 6 e and a little of either is none of theirs.
+    let differ = |i: usize, j: usize| {
+        let (one, other) = (e1[i] * e2[j], e1[j] * e2[i]);
+        (one - other).abs() > (8.0 * E) * one.abs()
+    };
+    let certain = differ(0, 1) || differ(1, 2) || differ(2, 0);
+    !certain && exact::degenerate(corners)
 }

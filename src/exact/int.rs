@@ -2,19 +2,20 @@
 //!
 //! Coordinates are `f32`, so on a common power of two they are integers of at
 //! most 277 bits; a difference has 278, a determinant of three rows at most
-//! 840, and division takes 28 more: 14 limbs of 64 bits hold anything. Numbers
-//! of similar size, as scenes mostly have, fit 4, and cost a tenth.
+//! 840, and rounding a quotient takes 26 more: 14 limbs of 64 bits hold anything.
 
 use core::cmp::Ordering;
 
+const LIMBS: usize = 14;
+
 #[derive(Clone, Copy)]
-pub struct Int<const LIMBS: usize> {
+pub struct Int {
     negative: bool,
     len: usize,
     limb: [u64; LIMBS],
 }
 
-impl<const LIMBS: usize> Int<LIMBS> {
+impl Int {
     pub const ZERO: Self = Self { negative: false, len: 0, limb: [0; LIMBS] };
 
     /// `value * 2^shift`.
@@ -66,14 +67,16 @@ impl<const LIMBS: usize> Int<LIMBS> {
         out.trim((self.len + limbs + 1).min(LIMBS))
     }
 
-    /// Half of it, for an even number.
-    pub fn halved(mut self) -> Self {
-        for i in 0..self.len {
-            let above = if i + 1 < self.len { self.limb[i + 1] << 63 } else { 0 };
-            self.limb[i] = self.limb[i] >> 1 | above;
-        }
-        let len = self.len;
-        self.trim(len)
+    /// The 64 leading bits of the magnitude, the first of them 1; not of zero.
+    pub fn leading(&self) -> u64 {
+        let n = self.len;
+        let empty = self.limb[n - 1].leading_zeros();
+        let below = if n > 1 { self.limb[n - 2] } else { 0 };
+        ((u128::from(self.limb[n - 1]) << 64 | u128::from(below)) << empty >> 64) as u64
+    }
+
+    pub fn times(&self, by: u32) -> Self {
+        self.mul(&Self::shifted(by.into(), 0))
     }
 
     pub fn add(&self, other: &Self) -> Self {
@@ -156,9 +159,7 @@ impl<const LIMBS: usize> Int<LIMBS> {
 
 #[cfg(test)]
 mod tests {
-    use super::Int as Wide;
-
-    type Int = Wide<14>;
+    use super::Int;
 
     fn int(value: i128) -> Int {
         let high = Int::shifted((value >> 62) as i64, 62);

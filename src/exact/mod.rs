@@ -1,180 +1,213 @@
 //! Exact arithmetic, for the few decisions that `f64` leaves open.
 //!
 //! The deciding quantities are polynomials of degree three in `f32` inputs, so
-//! integers settle their signs, and one long division rounds their quotients
-//! correctly to `f32`. Only a ray within a part in 10^5 or so of a triangle's
-//! edge, or a `t` next to a rounding boundary, comes here. Cost: 0.3 to 3 us,
-//! by the spread of the exponents; no allocation.
+//! integers settle their signs, and tell which side of the middle between two
+//! neighbouring `f32` their quotients lie. Only a ray within a part in 10^10 or
+//! so of a triangle's edge, or a quotient next to a rounding boundary, comes here.
+//! Where the numbers are of similar size, as scenes mostly have them, `narrow`
+//! needs a few machine multiplications; anything else goes to `wide`. No
+//! allocation.
 
 mod int;
+mod narrow;
+mod quad;
+mod round;
+mod span;
+mod wide;
 
-use core::cmp::Ordering;
-
-use int::Int;
-
-/// A vector of integers times a power of two.
-type Vector<const N: usize> = [Int<N>; 3];
-
-fn cross<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
-    let minor = |i: usize, j: usize| a[i].mul(&b[j]).sub(&a[j].mul(&b[i]));
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-fn dot<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Int<N> {
-    a[0].mul(&b[0]).add(&a[1].mul(&b[1])).add(&a[2].mul(&b[2]))
-}
-
-fn sub<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
-    [a[0].sub(&b[0]), a[1].sub(&b[1]), a[2].sub(&b[2])]
-}
-
-/// Mantissa and exponent of a finite `f32`, read from its bits.
-fn split(x: f32) -> (i64, i32) {
-    let bits = x.to_bits();
-    let exponent = (bits >> 23 & 0xff) as i32;
-    let fraction = i64::from(bits & 0x007f_ffff);
-    let (m, e) =
-        if exponent == 0 { (fraction, -149) } else { (fraction | 1 << 23, exponent - 150) };
-    (if bits >> 31 == 1 { -m } else { m }, e)
-}
-
-/// The range of exponents of the bits of some numbers: on a power of two of
-/// `low` they are integers of `width` bits.
-#[derive(Clone, Copy)]
-struct Span {
-    low: i32,
-    width: u32,
-}
-
-impl Span {
-    fn of<'a>(values: impl Iterator<Item = &'a f32>) -> Self {
-        let (mut low, mut high) = (i32::MAX, i32::MIN);
-        for (m, e) in values.map(|&x| split(x)) {
-            if m != 0 {
-                low = low.min(e);
-                high = high.max(e + 24);
-            }
-        }
-        if low > high {
-            Self { low: 0, width: 0 }
-        } else {
-            Self { low, width: (high - low) as u32 }
-        }
-    }
-
-    fn vector<const N: usize>(&self, v: &[f32; 3]) -> Vector<N> {
-        v.map(|x| match split(x) {
-            (0, _) => Int::ZERO,
-            (m, e) => Int::shifted(m, (e - self.low) as u32),
-        })
-    }
-}
+use round::{Magnitude, nearest};
+use span::Span;
 
 /// A ray and a triangle whose meeting `f64` could not decide.
-pub struct Case<'a> {
-    org: &'a [f32; 3],
-    dir: &'a [f32; 3],
-    triangle: &'a [[f32; 3]; 3],
+pub struct Case {
+    /// The ray's origin and the triangle's corners.
+    points: [[f32; 3]; 4],
+    dir: [f32; 3],
     place: Span,
     heading: Span,
 }
 
-impl<'a> Case<'a> {
-    pub fn new(org: &'a [f32; 3], dir: &'a [f32; 3], triangle: &'a [[f32; 3]; 3]) -> Self {
-        let place = Span::of(org.iter().chain(triangle.as_flattened()));
-        Self { org, dir, triangle, place, heading: Span::of(dir.iter()) }
+/// A ray's line and the plane and edge planes of a triangle, in exact integers.
+trait Meeting {
+    type Int: Signed;
+    fn new(case: &Case) -> Self;
+    /// The sum of the corners' weights: weights are over it.
+    fn det(&self) -> Self::Int;
+    /// The weight of the second corner.
+    fn u(&self) -> Self::Int;
+    /// The weight of the third corner.
+    fn v(&self) -> Self::Int;
+    /// The weight of the first corner, given the two others.
+    fn w(det: &Self::Int, u: &Self::Int, v: &Self::Int) -> Self::Int;
+    /// `t` is this over `det`, times a power of two: that of [`Case::scale`].
+    fn height(&self) -> Self::Int;
+}
+
+/// An integer with a sign.
+trait Signed {
+    type Magnitude: Magnitude;
+    /// -1, 0 or 1.
+    fn signum(&self) -> i32;
+    fn magnitude(&self) -> Self::Magnitude;
+}
+
+impl Case {
+    pub fn new(org: [f32; 3], dir: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> Self {
+        let points = [org, a, b, c];
+        let (place, heading) = (Span::of(points.as_flattened()), Span::of(&dir));
+        Self { points, dir, place, heading }
     }
 
-    /// Whether a determinant, and what its division needs, fits 4 limbs.
     fn narrow(&self) -> bool {
-        2 * self.place.width + self.place.width.max(self.heading.width) + 8 + 28 <= 256
+        self.place.width <= narrow::WIDTH && self.heading.width <= narrow::WIDTH
+    }
+
+    /// The exponent of the unit of `t`.
+    fn scale(&self) -> i32 {
+        self.place.exponent() - self.heading.exponent()
     }
 
     /// The rounded `t`, if the ray's line pierces the closed triangle.
     pub fn t(&self) -> Option<f32> {
-        if self.narrow() { Meeting::<4>::new(self).t() } else { Meeting::<14>::new(self).t() }
+        if self.narrow() { self.t_in::<narrow::Edges>() } else { self.t_in::<wide::Edges>() }
+    }
+
+    /// The rounded `t` on a triangle that is pierced for certain.
+    pub fn t_inside(&self) -> f32 {
+        if self.narrow() {
+            self.t_inside_in::<narrow::Edges>()
+        } else {
+            self.t_inside_in::<wide::Edges>()
+        }
     }
 
     /// The rounded weights of the second and the third corner.
     pub fn weights(&self) -> (f32, f32) {
         if self.narrow() {
-            Meeting::<4>::new(self).weights()
+            self.weights_in::<narrow::Edges>()
         } else {
-            Meeting::<14>::new(self).weights()
+            self.weights_in::<wide::Edges>()
         }
     }
-}
 
-/// A ray's meeting with the plane and the three edge planes of a triangle, in
-/// exact integers.
-struct Meeting<const N: usize> {
-    /// `dir . (b x c)` and its cyclic companions: the weights of the corners
-    /// times their sum, for `a, b, c` the corners seen from the origin.
-    weight: [Int<N>; 3],
-    /// Their sum, `dir . ((b - a) x (c - a))`.
-    det: Int<N>,
-    /// `a . (b x c)`; `t` is this over `det`, times `2^scale`.
-    height: Int<N>,
-    scale: i32,
-}
-
-impl<const N: usize> Meeting<N> {
-    fn new(case: &Case<'_>) -> Self {
-        let o = case.place.vector(case.org);
-        let [a, b, c] = case.triangle.map(|v| sub(&case.place.vector(&v), &o));
-        let d = case.heading.vector(case.dir);
-        let bc = cross(&b, &c);
-        let weight = [dot(&d, &bc), dot(&d, &cross(&c, &a)), dot(&d, &cross(&a, &b))];
-        let det = weight[0].add(&weight[1]).add(&weight[2]);
-        Self { weight, det, height: dot(&a, &bc), scale: case.place.low - case.heading.low }
+    fn t_in<M: Meeting>(&self) -> Option<f32> {
+        let edges = M::new(self);
+        let (det, u, v) = (edges.det(), edges.u(), edges.v());
+        let sign = det.signum();
+        let agrees = |weight: &M::Int| weight.signum() * sign >= 0;
+        let pierced = sign != 0 && agrees(&u) && agrees(&v) && agrees(&M::w(&det, &u, &v));
+        pierced.then(|| quotient(&edges.height(), &det, self.scale()))
     }
 
-    fn t(&self) -> Option<f32> {
-        let sign = self.det.signum();
-        let pierced = sign != 0 && self.weight.iter().all(|w| w.signum() * sign >= 0);
-        pierced.then(|| quotient(&self.height, &self.det, self.scale))
+    fn t_inside_in<M: Meeting>(&self) -> f32 {
+        let edges = M::new(self);
+        quotient(&edges.height(), &edges.det(), self.scale())
     }
 
-    fn weights(&self) -> (f32, f32) {
-        (quotient(&self.weight[1], &self.det, 0), quotient(&self.weight[2], &self.det, 0))
+    fn weights_in<M: Meeting>(&self) -> (f32, f32) {
+        let edges = M::new(self);
+        let det = edges.det();
+        (quotient(&edges.u(), &det, 0), quotient(&edges.v(), &det, 0))
     }
-}
-
-/// Whether the triangle has no area.
-pub fn degenerate(triangle: &[[f32; 3]; 3]) -> bool {
-    let place = Span::of(triangle.as_flattened().iter());
-    let [a, b, c] = triangle.map(|v| place.vector::<14>(&v));
-    cross(&sub(&b, &a), &sub(&c, &a)).iter().all(|n| n.signum() == 0)
 }
 
 /// `num / den * 2^scale` to the nearest `f32`, ties to even; zero is +0.
-///
-/// The quotient is cut to 26 bits or more with a sticky last bit (rounding to
-/// odd), so the conversion through `f64` rounds only once, denormals included.
-fn quotient<const N: usize>(num: &Int<N>, den: &Int<N>, scale: i32) -> f32 {
+fn quotient<N: Signed>(num: &N, den: &N, scale: i32) -> f32 {
     if num.signum() == 0 {
         return 0.0;
     }
-    let shift = 26 - (num.bits() as i32 - den.bits() as i32);
-    let mut rest = num.abs().shl(shift.max(0) as u32);
-    // The quotient has 26 or 27 bits.
-    let mut part = den.abs().shl((-shift).max(0) as u32 + 27);
-    let mut q = 0u64;
-    for _ in 0..28 {
-        q <<= 1;
-        if rest.cmp_magnitude(&part) != Ordering::Less {
-            rest = rest.sub(&part);
-            q |= 1;
-        }
-        part = part.halved();
-    }
-    let odd = q << 1 | u64::from(rest.signum() != 0);
-    let magnitude = odd as f64 * power(scale - shift - 1);
-    let signed = if num.signum() == den.signum() { magnitude } else { -magnitude };
-    signed as f32 + 0.0
+    let size = nearest(num.magnitude(), den.magnitude(), scale);
+    (if num.signum() == den.signum() { size } else { -size }) + 0.0
 }
 
-/// `2^e`; |e| stays below 1000 for quotients of the polynomials above.
-fn power(e: i32) -> f64 {
-    f64::from_bits(((e + 1023) as u64) << 52)
+/// Whether the triangle has no area.
+pub fn degenerate(corners: &[[f32; 3]; 3]) -> bool {
+    let place = Span::of(corners.as_flattened());
+    if place.width <= narrow::WIDTH {
+        narrow::degenerate(corners, place)
+    } else {
+        wide::degenerate(corners, place)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Case, narrow, wide};
+
+    struct Random(u64);
+
+    impl Random {
+        fn below(&mut self, n: u64) -> u64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(97);
+            (self.0 >> 33) % n
+        }
+
+        /// Of any sign, with full or few bits, in a window of exponents.
+        fn float(&mut self, window: u64) -> f32 {
+            let fraction = self.below(1 << 23) & [u64::MAX, 7 << 20, 0][self.below(3) as usize];
+            let field = 100 + self.below(window);
+            let bits = (self.below(2) << 31 | field << 23 | fraction) as u32;
+            if self.below(8) == 0 { 0.0 } else { f32::from_bits(bits) }
+        }
+    }
+
+    /// Up to the widest spans that count as narrow: 38 and 24 bits.
+    #[test]
+    fn narrow_and_wide_agree() {
+        let mut random = Random(1);
+        let mut pierced = 0;
+        for i in 0..40_000 {
+            let (place, heading) = (1 + i % 39, 1 + i / 39 % 39);
+            let mut vector = |window| [0; 3].map(|_| random.float(window));
+            let (org, mut dir) = (vector(place), vector(heading));
+            let corners = [0; 3].map(|_| vector(place));
+            if i % 2 == 0 {
+                // At a corner, or next to it, if the numbers are alike.
+                dir = [0, 1, 2].map(|k| corners[0][k] - org[k]);
+            }
+            let case = Case::new(org, dir, corners);
+            if dir == [0.0; 3] || !case.narrow() {
+                continue;
+            }
+            let bits = |t: Option<f32>| t.map(f32::to_bits);
+            let t = case.t_in::<narrow::Edges>();
+            assert_eq!(bits(t), bits(case.t_in::<wide::Edges>()), "{org:?} {dir:?} {corners:?}");
+            if t.is_some() {
+                pierced += 1;
+                let inside = (case.t_inside_in::<narrow::Edges>(), case.t_inside());
+                assert_eq!((bits(t), bits(t)), (bits(Some(inside.0)), bits(Some(inside.1))));
+                let (u, v) = case.weights_in::<narrow::Edges>();
+                let expected = case.weights_in::<wide::Edges>();
+                assert_eq!(
+                    (u.to_bits(), v.to_bits()),
+                    (expected.0.to_bits(), expected.1.to_bits())
+                );
+            }
+        }
+        assert!(pierced > 4000, "only {pierced} pierced");
+    }
+
+    /// The bounds of `narrow`, reached.
+    #[test]
+    fn widest_narrow_numbers() {
+        let most = f32::from_bits(0x7f7f_ffff);
+        let (large, small) = (most, f32::from_bits((254 - 38) << 23 | 1));
+        let signed = |bits: u32, i: u32, x: f32| if bits >> i & 1 == 1 { -x } else { x };
+        for bits in 0..1 << 12 {
+            let point = |i: u32| [0, 1, 2].map(|k| signed(bits, 3 * i + k, large));
+            let [a, b, mut c] = [point(0), point(1), point(2)];
+            c[(bits % 3) as usize] = small;
+            let case = Case::new(point(3), [large, -small, large], [a, b, c]);
+            assert_eq!((case.place.width, case.heading.width), (62, 62));
+            let same = |a: f32, b: f32| assert_eq!(a.to_bits(), b.to_bits(), "case {bits}");
+            let t = (case.t_in::<narrow::Edges>(), case.t_in::<wide::Edges>());
+            assert_eq!(t.0.map(f32::to_bits), t.1.map(f32::to_bits), "case {bits}");
+            if t.0.is_some() {
+                let (narrow, wide) =
+                    (case.weights_in::<narrow::Edges>(), case.weights_in::<wide::Edges>());
+                same(narrow.0, wide.0);
+                same(narrow.1, wide.1);
+            }
+        }
+    }
 }

@@ -8,6 +8,7 @@
 pub(crate) mod fpenv;
 mod isa;
 mod lanes;
+mod pair;
 mod portable;
 #[cfg(target_arch = "x86_64")]
 mod x86;
@@ -15,3 +16,4 @@ mod x86;
 pub(crate) use isa::{AnyKernel, dispatch};
 pub use isa::{Isa, force_isa, isa};
 pub(crate) use lanes::{Kernel, Lanes};
+pub(crate) use pair::Pair;

@@ -18,8 +18,9 @@ pub(crate) trait Query {
     /// The walk ends at parameters greater than this: no less than the next
     /// `f32` after the limit, so that every t above it rounds to more.
     fn beyond(&self) -> f64;
-    /// Takes a triangle met at `t <= limit`; `true` ends the walk.
-    fn meet(&mut self, t: f32, triangle: &Triangle, number: u32) -> bool;
+    /// Takes a triangle if the line meets it at `t <= limit`; then `true` ends the
+    /// walk.
+    fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool>;
 }
 
 /// A number above which every parameter rounds to more than `limit`, which is
@@ -62,12 +63,13 @@ impl Query for Closest {
     }
 
     #[inline(always)]
-    fn meet(&mut self, t: f32, triangle: &Triangle, number: u32) -> bool {
+    fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool> {
+        let t = line.meet(triangle, self.limit)?;
         if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
             let Triangle { geom, prim, .. } = *triangle;
             *self = Self { limit: t, beyond: beyond(t), geom, prim, number };
         }
-        false
+        Some(false)
     }
 }
 
@@ -89,9 +91,9 @@ impl Query for Any {
     }
 
     #[inline(always)]
-    fn meet(&mut self, _: f32, _: &Triangle, _: u32) -> bool {
-        self.found = true;
-        true
+    fn meet(&mut self, line: &Line, triangle: &Triangle, _: u32) -> Option<bool> {
+        self.found = line.pierces(triangle, self.tmax);
+        self.found.then_some(true)
     }
 }
 
@@ -161,10 +163,8 @@ impl View<'_> {
             let line = Line::new(ray);
             let mut query = Closest::new(ray.tmax);
             for (number, triangle) in (0..).zip(self.triangles()) {
-                if visible(ray, triangle)
-                    && let Some(t) = line.meet(&triangle.corners(), query.limit())
-                {
-                    query.meet(t, triangle, number);
+                if visible(ray, triangle) {
+                    query.meet(&line, triangle, number);
                 }
             }
             match query.found() {
@@ -222,13 +222,14 @@ pub(crate) fn visible(ray: &Ray, triangle: &Triangle) -> bool {
         && (triangle.geom != ray.skip_geom || triangle.prim != ray.skip_prim)
 }
 
+#[inline(always)]
 fn hit(line: &Line, triangle: &Triangle, t: f32) -> Hit {
-    let (u, v) = line.weights(&triangle.corners());
+    let (u, v) = line.weights(triangle);
     Hit {
         t,
         u,
         v,
-        ng: normal(&triangle.corners()),
+        ng: normal(triangle),
         geom: triangle.geom,
         prim: triangle.prim,
         inst: NONE,

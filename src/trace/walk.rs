@@ -260,14 +260,11 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         if !visible(self.ray, triangle) {
             return false;
         }
-        match Line::new(self.ray).meet(&triangle.corners(), self.query.limit()) {
-            Some(t) => {
-                self.counters.hit();
-                let enough = self.query.meet(t, triangle, number);
-                self.sieve.limit(self.query.limit());
-                enough
-            }
-            None => false,
-        }
+        let Some(enough) = self.query.meet(&Line::new(self.ray), triangle, number) else {
+            return false;
+        };
+        self.counters.hit();
+        self.sieve.limit(self.query.limit());
+        enough
     }
 }
