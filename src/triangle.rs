@@ -38,7 +38,7 @@ pub trait Corners {
 impl Corners for [[f32; 3]; 3] {
     #[inline(always)]
     fn along(&self, axis: usize) -> [f32; 3] {
-        self.map(|corner| corner[axis])
+        [self[0][axis], self[1][axis], self[2][axis]]
     }
 }
 
@@ -64,9 +64,15 @@ fn finite(tmax: f32) -> f32 {
     if tmax < f32::MAX { tmax } else { f32::MAX }
 }
 
+/// `array::map`, but always inlined.
+#[inline(always)]
+fn three<T>(f: impl Fn(usize) -> T) -> [T; 3] {
+    [f(0), f(1), f(2)]
+}
+
 #[inline(always)]
 fn double(v: [f32; 3]) -> Vector {
-    v.map(f64::from)
+    three(|k| f64::from(v[k]))
 }
 
 #[inline(always)]
@@ -170,14 +176,17 @@ impl Line {
 /// `(v1 - v0) x (v2 - v0)` in `f64`, then rounded.
 #[inline(always)]
 pub fn normal(triangle: &impl Corners) -> [f32; 3] {
-    let [a, b, c] = triangle.all().map(double);
-    cross(sub(b, a), sub(c, a)).map(|n| n as f32)
+    let [a, b, c] = triangle.all();
+    let (a, b, c) = (double(a), double(b), double(c));
+    let n = cross(sub(b, a), sub(c, a));
+    three(|k| n[k] as f32)
 }
 
 /// Whether the triangle has no area, exactly.
 #[inline]
 pub fn degenerate(corners: &[[f32; 3]; 3]) -> bool {
-    let [a, b, c] = corners.map(double);
+    let [a, b, c] = *corners;
+    let (a, b, c) = (double(a), double(b), double(c));
     let (e1, e2) = (sub(b, a), sub(c, a));
     // Equal products of differences are computed equal but for three roundings
     // each: a difference of more than 6 e and a little of either is none of theirs.

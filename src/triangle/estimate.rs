@@ -12,7 +12,7 @@
 //! squares of e and for the rounding of the bounds. Magnitudes lie within 2^-450 and
 //! 2^400, so `f64` neither overflows nor loses bits to underflow.
 
-use super::{Corners, Vector};
+use super::{Corners, Vector, three};
 use crate::simd::Pair;
 
 /// Half the distance from 1 to the next number.
@@ -72,17 +72,20 @@ impl Estimate {
     /// In pairs of what belongs to `e1` and what belongs to `e2`.
     #[inline(always)]
     pub fn new(org: &Vector, dir: &Vector, triangle: &impl Corners) -> Self {
-        let axes = [0, 1, 2];
-        let at = axes.map(|k| triangle.along(k));
-        let first = at.map(|[a, _, _]| Pair::widen(a, a));
-        let edges = axes.map(|k| Pair::widen(at[k][1], at[k][2]).sub(first[k]));
-        let to = axes.map(|k| first[k].sub(Pair::splat(org[k])));
-        let d = dir.map(Pair::splat);
+        let at = three(|k| triangle.along(k));
+        let first = three(|k| Pair::widen(at[k][0], at[k][0]));
+        let edges = three(|k| Pair::widen(at[k][1], at[k][2]).sub(first[k]));
+        let to = three(|k| first[k].sub(Pair::splat(org[k])));
+        let d = three(|k| Pair::splat(dir[k]));
         // to x e1 and to x e2, whose products with dir are -v and u.
-        let sides = CYCLE.map(|(i, j)| to[i].mul(edges[j]).sub(to[j].mul(edges[i])));
+        let sides = three(|k| {
+            let (i, j) = CYCLE[k];
+            to[i].mul(edges[j]).sub(to[j].mul(edges[i]))
+        });
         let weights = d[0].mul(sides[0]).add(d[1].mul(sides[1])).add(d[2].mul(sides[2]));
         // e2 x e1
-        let normal = CYCLE.map(|(i, j)| {
+        let normal = three(|k| {
+            let (i, j) = CYCLE[k];
             let products = edges[i].mul(edges[j].swap());
             products.second() - products.first()
         });
@@ -94,7 +97,7 @@ impl Estimate {
         Self {
             u: weights.second(),
             v: -weights.first(),
-            height: dot(normal, to.map(Pair::first)),
+            height: dot(normal, three(|k| to[k].first())),
             det: dot(normal, *dir),
             u_error: errors.second(),
             v_error: errors.first(),

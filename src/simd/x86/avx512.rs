@@ -44,8 +44,10 @@ fn compiled<K: Kernel<Avx512>>(kernel: K, lanes: Avx512) -> K::Out {
 impl Lanes for Avx512 {
     four_lanes!();
 
-    type Rows = __m512;
-    const ROWS: usize = 4;
+    /// Not 512 bits: while such operations are in flight, processors close one of
+    /// the ports that the walk's own operations need.
+    type Rows = __m256;
+    const ROWS: usize = 2;
 
     #[inline(always)]
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
@@ -53,63 +55,59 @@ impl Lanes for Avx512 {
     }
 
     #[inline(always)]
-    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> __m512 {
-        with!({
-            let low = _mm256_loadu2_m128(row(1).as_ptr(), row(0).as_ptr());
-            let high = _mm256_loadu2_m128(row(3).as_ptr(), row(2).as_ptr());
-            _mm512_insertf32x8::<1>(_mm512_castps256_ps512(low), high)
-        })
+    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> __m256 {
+        with!(_mm256_loadu2_m128(row(1).as_ptr(), row(0).as_ptr()))
     }
     #[inline(always)]
-    fn splat_rows(self, a: f32) -> __m512 {
-        with!(_mm512_set1_ps(a))
+    fn splat_rows(self, a: f32) -> __m256 {
+        with!(_mm256_set1_ps(a))
     }
     #[inline(always)]
-    fn sub_rows(self, a: __m512, b: __m512) -> __m512 {
-        with!(_mm512_sub_ps(a, b))
+    fn sub_rows(self, a: __m256, b: __m256) -> __m256 {
+        with!(_mm256_sub_ps(a, b))
     }
     #[inline(always)]
-    fn mul_rows(self, a: __m512, b: __m512) -> __m512 {
-        with!(_mm512_mul_ps(a, b))
+    fn mul_rows(self, a: __m256, b: __m256) -> __m256 {
+        with!(_mm256_mul_ps(a, b))
     }
     #[inline(always)]
-    fn add_rows(self, a: __m512, b: __m512) -> __m512 {
-        with!(_mm512_add_ps(a, b))
+    fn add_rows(self, a: __m256, b: __m256) -> __m256 {
+        with!(_mm256_add_ps(a, b))
     }
     #[inline(always)]
-    fn abs_rows(self, a: __m512) -> __m512 {
-        with!(_mm512_abs_ps(a))
+    fn abs_rows(self, a: __m256) -> __m256 {
+        with!(_mm256_andnot_ps(_mm256_set1_ps(-0.0), a))
     }
     #[inline(always)]
-    fn less_product(self, a: __m512, b: __m512, c: __m512) -> __m512 {
-        with!(_mm512_fnmadd_ps(b, c, a))
+    fn less_product(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+        with!(_mm256_fnmadd_ps(b, c, a))
     }
     #[inline(always)]
-    fn cross_rows(self, a: __m512, b: __m512, c: __m512, d: __m512) -> __m512 {
-        with!(_mm512_fmsub_ps(a, b, _mm512_mul_ps(c, d)))
+    fn cross_rows(self, a: __m256, b: __m256, c: __m256, d: __m256) -> __m256 {
+        with!(_mm256_fmsub_ps(a, b, _mm256_mul_ps(c, d)))
     }
     #[inline(always)]
-    fn rotate(self, a: __m512) -> __m512 {
-        with!(_mm512_permute_ps::<0b11_00_10_01>(a))
+    fn rotate(self, a: __m256) -> __m256 {
+        with!(_mm256_permute_ps::<0b11_00_10_01>(a))
     }
     #[inline(always)]
-    fn spread<const K: i32>(self, a: __m128) -> __m512 {
+    fn spread<const K: i32>(self, a: __m128) -> __m256 {
         let lane = self.permute(a, &[K; 4]);
-        with!(_mm512_broadcastss_ps(lane))
+        with!(_mm256_broadcastss_ps(lane))
     }
     #[inline(always)]
-    fn misses(self, side: __m512, error: __m512, z: __m512, [lo, hi]: [__m512; 2]) -> u32 {
+    fn misses(self, side: __m256, error: __m256, z: __m256, [lo, hi]: [__m256; 2]) -> u32 {
         let [above, below, before, behind] = with!({
-            let other = _mm512_xor_ps(_mm512_set1_ps(-0.0), side);
+            let other = _mm256_xor_ps(_mm256_set1_ps(-0.0), side);
             [
-                _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(0x7777, side, error),
-                _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(0x7777, other, error),
-                _mm512_mask_cmp_ps_mask::<_CMP_LT_OQ>(0x7777, z, lo),
-                _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(0x7777, z, hi),
+                _mm256_mask_cmp_ps_mask::<_CMP_GT_OQ>(0x77, side, error),
+                _mm256_mask_cmp_ps_mask::<_CMP_GT_OQ>(0x77, other, error),
+                _mm256_mask_cmp_ps_mask::<_CMP_LT_OQ>(0x77, z, lo),
+                _mm256_mask_cmp_ps_mask::<_CMP_GT_OQ>(0x77, z, hi),
             ]
         })
         .map(u32::from);
-        // Carries into every fourth bit from any, or from all, of the three below.
-        (above + 0x7777) & (below + 0x7777) | (before + 0x1111) | (behind + 0x1111)
+        // Carries into bits 3 and 7 from any, or from all, of the three bits below.
+        (above + 0x77) & (below + 0x77) | (before + 0x11) | (behind + 0x11)
     }
 }
