@@ -146,6 +146,9 @@ fn another_header() {
         for wrong in [17, u32::MAX] {
             corrupt(STRUCTURE, both(structure, wrong));
         }
+        for unit in [0.0, -1.0, 0.75, 3.0, 1e-60, 1e60, f64::NAN, f64::INFINITY] {
+            corrupt(UNIT, unit.to_bits());
+        }
         for at in RESERVED.step_by(8) {
             corrupt(at, 1);
             corrupt(at, 1 << 56);

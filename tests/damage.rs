@@ -67,9 +67,10 @@ fn grids() {
                 }
             };
             for k in 0..3 {
-                let n = get32(&bytes, at + N + 4 * k);
-                for wrong in [0, n - 1, n + 1, 2049, 1 << 16, u32::MAX] {
-                    word(N + 4 * k, wrong);
+                let place = at + N + 2 * k;
+                let n = get16(&bytes, place);
+                for wrong in [0, n - 1, n + 1, 2049, u16::MAX] {
+                    corrupt(&name, &bytes, |b| put16(b, place, wrong));
                 }
             }
             let (first, walks) = (get32(&bytes, at + FIRST), get32(&bytes, at + WALKS));
@@ -79,13 +80,16 @@ fn grids() {
             for wrong in [0, walks - 1, walks + 1, u32::MAX] {
                 word(WALKS, wrong);
             }
-            for wrong in [levels, u32::MAX] {
-                word(LEVEL, wrong);
+            for wrong in [levels as u8, u8::MAX] {
+                corrupt(&name, &bytes, |b| b[at + LEVEL] = wrong);
+            }
+            for wrong in [2, u8::MAX] {
+                corrupt(&name, &bytes, |b| b[at + COVERS] = wrong);
             }
             let (nan, inf) = (f64::NAN, f64::INFINITY);
-            for place in [EXTENT, CELL, INV_CELL] {
-                for wrong in [nan, inf, -inf, 0.0, -1.0, 1e-300, 1e300] {
-                    corrupt(&name, &bytes, |b| put_f64(b, at + place + 8, wrong));
+            for place in [CELL, INV_CELL] {
+                for wrong in [nan, inf, -inf, 0.0, -1.0, 1e-38, 1e38] {
+                    corrupt(&name, &bytes, |b| put_f32(b, at + place + 4, wrong as f32));
                 }
             }
             for wrong in [nan, inf, -inf, 1e300] {
@@ -166,8 +170,8 @@ fn levels() {
         for number in 1..count(&bytes, GRIDS) {
             let (outer, inner) = (record(&bytes, GRIDS, 0), record(&bytes, GRIDS, number));
             pairs += 1;
-            let same = get32(&bytes, outer + LEVEL);
-            corrupt(&name, &bytes, |b| put32(b, inner + LEVEL, same));
+            let same = bytes[outer + LEVEL];
+            corrupt(&name, &bytes, |b| b[inner + LEVEL] = same);
         }
     }
     assert!(pairs > 20, "{pairs} grids below others");

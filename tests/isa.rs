@@ -25,7 +25,7 @@ fn trace(scene: &Scene, rays: &[Ray]) -> Vec<([u32; 10], bool, Counters)> {
 fn every_instruction_set_gives_the_same() {
     let best = isa();
     assert!(force_isa(Isa::Portable), "portable code runs everywhere");
-    let sets: Vec<Isa> = [Isa::Portable, Isa::Avx2].into_iter().filter(|&i| force_isa(i)).collect();
+    let sets: Vec<Isa> = Isa::ALL.into_iter().filter(|&i| force_isa(i)).collect();
     assert!(sets.contains(&best), "{best:?} was chosen, of {sets:?}");
     let mut counted_otherwise = Vec::new();
     for (name, mesh) in soups() {

@@ -122,8 +122,8 @@ pub extern "C" fn hug_abi_version() -> u32 {
     1
 }
 
-/// The instruction set that queries run on: "avx2" or "portable", never NULL.
-/// Results do not depend on it.
+/// The instruction set that queries run on: "avx512",
+/// "avx2" or "portable", never NULL. Results do not depend on it.
 #[unsafe(no_mangle)]
 pub extern "C" fn hug_isa() -> *const c_char {
     crate::isa().name().as_ptr()
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn hug_force_isa(name: *const c_char) -> hug_status {
         }
         // SAFETY: a string by contract.
         let name = unsafe { CStr::from_ptr(name) };
-        let known = [Isa::Portable, Isa::Avx2].into_iter().find(|isa| isa.name() == name);
+        let known = Isa::ALL.into_iter().find(|isa| isa.name() == name);
         match known {
             Some(isa) if force_isa(isa) => Ok(()),
             _ => Err(Error::InvalidValue),

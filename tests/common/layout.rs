@@ -19,19 +19,21 @@ pub const REFS: usize = 64;
 pub const TRIANGLES: usize = 80;
 pub const SECTIONS: [usize; 4] = [GRIDS, VOXELS, REFS, TRIANGLES];
 /// Sizes of their records.
-pub const RECORDS: [usize; 4] = [128, 4, 4, 48];
-pub const RESERVED: Range<usize> = 200..256;
+pub const RECORDS: [usize; 4] = [64, 4, 4, 48];
+pub const UNIT: usize = 200;
+pub const RESERVED: Range<usize> = 208..256;
 
-/// Places in a grid; three numbers each.
+/// Places in a grid: three numbers of eight, four, four and two bytes.
 pub const LO: usize = 0;
-pub const EXTENT: usize = 24;
-pub const CELL: usize = 48;
-pub const INV_CELL: usize = 72;
-pub const N: usize = 104;
-/// One number each.
-pub const LEVEL: usize = 116;
-pub const FIRST: usize = 120;
-pub const WALKS: usize = 124;
+pub const INV_CELL: usize = 24;
+pub const CELL: usize = 36;
+pub const N: usize = 48;
+/// One byte each.
+pub const LEVEL: usize = 54;
+pub const COVERS: usize = 55;
+/// Four bytes each.
+pub const FIRST: usize = 56;
+pub const WALKS: usize = 60;
 
 /// Marks a reference to a grid.
 pub const GRID_BIT: u32 = 1 << 31;
@@ -42,6 +44,18 @@ pub const COORDINATES: [usize; 9] = [0, 4, 8, 16, 20, 24, 32, 36, 40];
 pub const EMPTY: u32 = 0;
 pub const LIST: u32 = 1;
 pub const GRID: u32 = 2;
+
+pub fn get16(bytes: &[u8], at: usize) -> u16 {
+    u16::from_le_bytes(bytes[at..at + 2].try_into().expect("two bytes"))
+}
+
+pub fn put16(bytes: &mut [u8], at: usize, value: u16) {
+    bytes[at..at + 2].copy_from_slice(&value.to_le_bytes());
+}
+
+pub fn put_f32(bytes: &mut [u8], at: usize, value: f32) {
+    put32(bytes, at, value.to_bits());
+}
 
 pub fn get32(bytes: &[u8], at: usize) -> u32 {
     u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"))
@@ -100,7 +114,7 @@ pub fn lists(bytes: &[u8]) -> Vec<List> {
     for grid in 0..count(bytes, GRIDS) {
         let at = record(bytes, GRIDS, grid);
         let first = get32(bytes, at + FIRST) as usize;
-        let voxels: usize = (0..3).map(|k| get32(bytes, at + N + 4 * k) as usize).product();
+        let voxels: usize = (0..3).map(|k| usize::from(get16(bytes, at + N + 2 * k))).product();
         for number in first..first + voxels {
             let (LIST, start) = voxel(bytes, number) else { continue };
             let exit = record(bytes, REFS, start as usize);
@@ -129,7 +143,8 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
     let mut bytes = Aligned::filled(end, 0);
     bytes[..8].copy_from_slice(b"hug-rt\r\n");
     put32(&mut bytes, BYTE_ORDER, 0x0102_0304);
-    put32(&mut bytes, VERSION, 1);
+    put32(&mut bytes, VERSION, 2);
+    put_f64(&mut bytes, UNIT, 1.0);
     put64(&mut bytes, BYTES, end as u64);
     put32(&mut bytes, STRUCTURE, 3);
     put32(&mut bytes, LEVELS, levels as u32);
@@ -143,13 +158,11 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
         let at = record(&bytes, GRIDS, number);
         for k in 0..3 {
             put_f64(&mut bytes, at + LO + 8 * k, -1.0);
-            for place in [EXTENT, CELL] {
-                put_f64(&mut bytes, at + place + 8 * k, 2.0);
-            }
-            put_f64(&mut bytes, at + INV_CELL + 8 * k, 0.5);
-            put32(&mut bytes, at + N + 4 * k, 1);
+            put_f32(&mut bytes, at + CELL + 4 * k, 2.0);
+            put_f32(&mut bytes, at + INV_CELL + 4 * k, 0.5);
+            put16(&mut bytes, at + N + 2 * k, 1);
         }
-        put32(&mut bytes, at + LEVEL, (levels - 1 - depth) as u32);
+        bytes[at + LEVEL] = (levels - 1 - depth) as u8;
         put32(&mut bytes, at + FIRST, number as u32);
         // 1 + width + width^2 + ... of the levels from here on.
         let walks =
