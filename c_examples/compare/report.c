@@ -63,6 +63,8 @@ size_t report_decisions(const comparison *c)
 
 void report_summary(const settings *with, const results *found)
 {
+    if (found->build_count == 0)
+        return;
     if (with->format == FORMAT_MARKDOWN)
         markdown_summary(with, found);
     else if (with->all && with->format == FORMAT_CSV)
