@@ -1,5 +1,5 @@
-/* Timing that is fair between contenders: rounds in which each runs once, in an
- * order that rotates, so that no one always follows the same other. */
+/* Timing that is fair between contenders: rounds in which each runs once, each round
+ * beginning with another and going on in other steps; the first is in their order. */
 #ifndef ROUNDS_H
 #define ROUNDS_H
 
