@@ -2,97 +2,74 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "camera.h"
-#include "compare/run_builds.h"
-#include "compare/run_set.h"
+#include "clocks.h"
+#include "compare/report.h"
+#include "compare/run_scene.h"
+#include "compare/scene_list.h"
 #include "compare/settings.h"
 #include "message.h"
 
-/* One of the structures that were built. Any one will do to count triangles by, and
- * to start rays from: the hits are the same, bit for bit, and run_set checks that.
- * The last is the one that clustered scenes slow down least. */
-static int any_built(const comparison *c)
+static const char *duration(double seconds, char *out, size_t size)
 {
-    int i = COMPARED_COUNT - 1;
-    while (!c->built[i])
-        i--;
-    return i;
+    if (seconds < 90.0)
+        snprintf(out, size, "%.0f s", seconds);
+    else
+        snprintf(out, size, "%.0f min", seconds / 60.0);
+    return out;
 }
 
-static int run_sets(comparison *c, const kit_view *view)
+/* Which views of a listed scene are to be run. */
+static size_t views_of(const settings *with, const listed_scene *s)
 {
-    ray_set sets[RAY_SET_COUNT];
-    int set;
-    const hug_scene *built = c->built[any_built(c)];
-    int ok = ray_sets_make(built, &c->from->bounds, view, c->with->size, c->with->sets, sets);
-    for (set = 0; set < RAY_SET_COUNT && ok; set++)
-        if (c->with->sets & (1u << set))
-            ok = run_set(c, set, &sets[set]);
-    ray_sets_free(sets);
-    return ok;
+    return with->every_view || s->view_count == 0 ? s->view_count : 1;
 }
 
-/* Prints what was decided; returns how much of it was decided against hug. */
-static size_t report_tallies(const comparison *c)
+/* The time left is that of the views so far, for each one left. */
+static void say_progress(const settings *with, const scene_list *list, size_t at, double start)
 {
-    int csv = c->with->csv, set, structure;
-    size_t found = 0, wrong = 0;
-    for (set = 0; set < RAY_SET_COUNT; set++) {
-        for (structure = 0; structure < COMPARED_COUNT; structure++) {
-            found += tally_found(&c->tallies[structure][set]);
-            wrong += tally_wrong(&c->tallies[structure][set]);
+    double spent = seconds_wall() - start, done = 0.0, left = 0.0;
+    char so_far[32], remaining[32];
+    size_t i;
+    for (i = 0; i < list->count; i++) {
+        size_t views = views_of(with, &list->scenes[i]);
+        double runs = views ? (double)views : 1.0;
+        if (i < at)
+            done += runs;
+        else
+            left += runs;
+    }
+    duration(spent, so_far, sizeof so_far);
+    if (at == 0)
+        message("scene 1 of %lu: %s", (unsigned long)list->count, list->scenes[0].label);
+    else
+        message("scene %lu of %lu: %s; %s so far, about %s left", (unsigned long)at + 1,
+                (unsigned long)list->count, list->scenes[at].label, so_far,
+                duration(spent * left / done, remaining, sizeof remaining));
+}
+
+/* Goes on after a scene that failed. */
+static int run_all(const settings *with, results *found)
+{
+    scene_list list;
+    double start = seconds_wall();
+    size_t i;
+    int ok = scene_list_make(&list);
+    for (i = 0; ok != 0 && i < list.count; i++) {
+        const listed_scene *s = &list.scenes[i];
+        say_progress(with, &list, i, start);
+        if (!run_scene(with, s->what, s->views, views_of(with, s), found)) {
+            message("%s: failed", s->label);
+            ok = -1;
         }
     }
-    report_decided(csv, found != 0);
-    for (set = 0; set < RAY_SET_COUNT; set++)
-        for (structure = 0; structure < COMPARED_COUNT; structure++)
-            report_decisions(csv, &c->builds[structure], ray_set_names[set],
-                             &c->tallies[structure][set]);
-    return wrong;
-}
-
-static int choose_isa(const char *name)
-{
-    hug_status status = name ? hug_force_isa(name) : HUG_OK;
-    if (status != HUG_OK)
-        message("--isa %s: unknown, or not of this processor; without it: %s", name, hug_isa());
-    return status == HUG_OK;
-}
-
-static int compare(const settings *with, const scene *from)
-{
-    comparison c;
-    kit_view view;
-    size_t wrong;
-    int i, ok;
-    if (!camera_choose(&with->camera, from, &view))
-        return 0;
-    memset(&c, 0, sizeof c);
-    c.with = with;
-    c.from = from;
-    ok = run_builds(&c);
-    if (ok) {
-        report_begin(with->csv, from,
-                     from->triangle_count - c.builds[any_built(&c)].triangles);
-        for (i = 0; i < COMPARED_COUNT; i++)
-            if (c.built[i])
-                report_build(with->csv, &c.builds[i]);
-        report_queries(with->csv);
-        ok = run_sets(&c, &view);
-        wrong = report_tallies(&c);
-        if (wrong) {
-            message("%lu answers of hug are wrong", (unsigned long)wrong);
-            ok = 0;
-        }
-    }
-    release_builds(&c);
-    return ok;
+    scene_list_free(&list);
+    return ok == 1;
 }
 
 int main(int argc, char **argv)
 {
     settings with;
-    scene from;
+    results found;
     int ok;
 
     message_program("compare");
@@ -102,9 +79,10 @@ int main(int argc, char **argv)
         fputs(settings_help, stdout);
         return 0;
     }
-    if (!choose_isa(with.isa))
-        return 2;
-    ok = scene_load(with.scene_name, &from) && compare(&with, &from);
-    scene_free(&from);
+    memset(&found, 0, sizeof found);
+    report_begin(&with);
+    ok = with.all ? run_all(&with, &found) : run_scene(&with, with.scene_name, NULL, 0, &found);
+    report_summary(&with, &found);
+    results_free(&found);
     return ok ? 0 : 1;
 }

@@ -39,7 +39,7 @@ typedef struct {
     const char *scene_name, *out;
     camera_options camera;
     unsigned modes;
-    hug_structure structure;
+    hug_build_desc build;
     uint32_t size, steps_max;
     int help;
 } settings;
@@ -65,13 +65,9 @@ static int read_settings(int argc, char **argv, settings *out)
         return 0;
     if (!parse_choice("--mode", modes, picture_names, PICTURE_COUNT, &out->modes))
         return 0;
-    for (out->structure = 0; out->structure < STRUCTURE_COUNT; out->structure++)
-        if (strcmp(structure, structure_names[out->structure]) == 0)
-            break;
-    if (out->structure == STRUCTURE_COUNT) {
-        message("--structure %s: must be auto, uniform, recursive or hug", structure);
+    if (!parse_one("--structure", structure, structure_names, STRUCTURE_COUNT,
+                   &out->build.structure))
         return 0;
-    }
     if (!parse_count("--size", size, 1, KIT_MAX_FRAME, &number))
         return 0;
     out->size = (uint32_t)number;
@@ -146,7 +142,7 @@ static int render(const settings *s, const scene *from)
     if (!camera_choose(&s->camera, from, &view))
         return 0;
     build_seconds = seconds_process();
-    if (!structure_build(from, s->structure, &built))
+    if (!structure_build(from, &s->build, &built))
         return 0;
     build_seconds = seconds_process() - build_seconds;
     memset(&traced, 0, sizeof traced);

@@ -94,3 +94,16 @@ int camera_choose(const camera_options *options, const scene *s, kit_view *out)
     }
     return 1;
 }
+
+const char *camera_name(const camera_options *options, const scene *s)
+{
+    const char *name = "derived";
+    kit_view unused;
+    if (options->camera)
+        return "camera";
+    if (options->view)
+        return options->view;
+    if (s->built_in)
+        kit_scene_view(s->built_in, 0, &name, &unused);
+    return name;
+}

@@ -16,6 +16,10 @@ typedef struct {
  * Returns 1, or 0 after a message. */
 int camera_choose(const camera_options *options, const scene *s, kit_view *out);
 
+/* What to call the view that camera_choose chose; borrowed from the options or the
+ * scene. */
+const char *camera_name(const camera_options *options, const scene *s);
+
 /* Looks a scene file's view up in a scenes.json: an array of objects with "file"
  * and "views", which have "name", "eye", "at", "up" and "fov_deg". file NULL: the
  * scenes.json beside the scene. Returns 1, or 0 after a message. */

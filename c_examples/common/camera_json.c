@@ -1,12 +1,10 @@
 /* Named views from a scenes.json. */
 #include "camera.h"
 
-#include <cJSON.h>
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "json_file.h"
 #include "message.h"
 
 static const char *file_name(const char *path)
@@ -25,31 +23,6 @@ static char *beside(const char *scene_path)
         memcpy(path + folder, "scenes.json", sizeof "scenes.json");
     }
     return path;
-}
-
-/* The whole file as a string, or NULL after a message. */
-static char *read_text(const char *path)
-{
-    FILE *file = fopen(path, "rb");
-    char *text = NULL;
-    long size = -1;
-    if (!file) {
-        message("%s: %s", path, strerror(errno));
-        return NULL;
-    }
-    if (fseek(file, 0, SEEK_END) == 0)
-        size = ftell(file);
-    if (size >= 0 && fseek(file, 0, SEEK_SET) == 0)
-        text = (char *)malloc((size_t)size + 1);
-    if (text && fread(text, 1, (size_t)size, file) == (size_t)size) {
-        text[size] = '\0';
-    } else {
-        message("%s: cannot be read to its end", path);
-        free(text);
-        text = NULL;
-    }
-    fclose(file);
-    return text;
 }
 
 static int read_vector(const cJSON *view, const char *key, float out[3])
@@ -77,35 +50,21 @@ static int read_view(const cJSON *view, kit_view *out)
            read_vector(view, "up", out->up);
 }
 
-/* The element of an array whose string "key" is value, or NULL. */
-static const cJSON *find(const cJSON *array, const char *key, const char *value)
-{
-    const cJSON *item;
-    cJSON_ArrayForEach(item, array)
-    {
-        const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(item, key));
-        if (text && strcmp(text, value) == 0)
-            return item;
-    }
-    return NULL;
-}
-
 static int look_up(const char *path, const cJSON *root, const char *scene_file, const char *name,
                    kit_view *out)
 {
-    const cJSON *entry = find(root, "file", scene_file), *views, *view;
+    const cJSON *entry = json_find(root, "file", scene_file), *views, *view;
     if (!entry) {
         message("%s: says nothing of %s", path, scene_file);
         return 0;
     }
     views = cJSON_GetObjectItemCaseSensitive(entry, "views");
-    view = find(views, "name", name);
+    view = json_find(views, "name", name);
     if (!view) {
         message("%s: %s has no view %s; it has:", path, scene_file, name);
         cJSON_ArrayForEach(view, views)
         {
-            const char *other =
-                cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(view, "name"));
+            const char *other = json_string(view, "name");
             message("  %s", other ? other : "(one without a name)");
         }
         return 0;
@@ -122,17 +81,13 @@ int camera_from_json(const char *file, const scene *s, const char *view, kit_vie
 {
     char *own_path = file ? NULL : beside(s->path);
     const char *path = file ? file : own_path;
-    char *text = path ? read_text(path) : NULL;
-    cJSON *root = text ? cJSON_Parse(text) : NULL;
+    cJSON *root = path ? json_load(path) : NULL;
     int ok = 0;
     if (root)
         ok = look_up(path, root, file_name(s->path), view, out);
-    else if (text)
-        message("%s: is not JSON", path);
     else
         message("view %s: no cameras to look it up in (--cameras FILE names them)", view);
     cJSON_Delete(root);
-    free(text);
     free(own_path);
     return ok;
 }

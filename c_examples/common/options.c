@@ -80,15 +80,38 @@ int parse_floats(const char *name, const char *text, float *out, size_t count)
     return 1;
 }
 
-static void list_names(const char *name, const char *text, const char *const *names, size_t count)
+/* how: what the text must be, before the names. */
+static void list_names(const char *name, const char *text, const char *how,
+                       const char *const *names, size_t count)
 {
     char list[256] = "";
     size_t i;
     for (i = 0; i < count; i++) {
-        strncat(list, " ", sizeof list - strlen(list) - 1);
+        strncat(list, i ? ", " : " ", sizeof list - strlen(list) - 1);
         strncat(list, names[i], sizeof list - strlen(list) - 1);
     }
-    message("%s %s: must be \"all\" or some of%s, separated by commas", name, text, list);
+    message("%s %s: must be %s%s", name, text, how, list);
+}
+
+/* The place of the name of this length, or count. */
+static size_t place_of(const char *text, size_t length, const char *const *names, size_t count)
+{
+    size_t i = 0;
+    while (i < count && (strlen(names[i]) != length || strncmp(names[i], text, length) != 0))
+        i++;
+    return i;
+}
+
+int parse_one(const char *name, const char *text, const char *const *names, size_t count,
+              unsigned *out)
+{
+    size_t place = place_of(text, strlen(text), names, count);
+    if (place == count) {
+        list_names(name, text, "one of", names, count);
+        return 0;
+    }
+    *out = (unsigned)place;
+    return 1;
 }
 
 int parse_choice(const char *name, const char *text, const char *const *names, size_t count,
@@ -101,15 +124,13 @@ int parse_choice(const char *name, const char *text, const char *const *names, s
         return 1;
     }
     for (;;) {
-        size_t length = strcspn(at, ","), i;
-        for (i = 0; i < count; i++)
-            if (strlen(names[i]) == length && strncmp(names[i], at, length) == 0)
-                break;
-        if (i == count) {
-            list_names(name, text, names, count);
+        size_t length = strcspn(at, ","), place = place_of(at, length, names, count);
+        if (place == count) {
+            list_names(name, text, "\"all\", or some of these with commas between them:", names,
+                       count);
             return 0;
         }
-        *out |= 1u << i;
+        *out |= 1u << place;
         if (at[length] == '\0')
             return 1;
         at += length + 1;

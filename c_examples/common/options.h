@@ -20,6 +20,10 @@ int parse_count(const char *name, const char *text, unsigned long least, unsigne
 /* Exactly count finite numbers separated by commas. */
 int parse_floats(const char *name, const char *text, float *out, size_t count);
 
+/* One of the names: *out is its place. */
+int parse_one(const char *name, const char *text, const char *const *names, size_t count,
+              unsigned *out);
+
 /* A comma-separated choice of names, or "all" for every one: bit i is names[i]. */
 int parse_choice(const char *name, const char *text, const char *const *names, size_t count,
                  unsigned *out);

@@ -6,10 +6,10 @@
 
 const char *const structure_names[STRUCTURE_COUNT] = {"auto", "uniform", "recursive", "hug"};
 
-int structure_build(const scene *s, hug_structure structure, hug_scene **out)
+int structure_build(const scene *s, const hug_build_desc *options, hug_scene **out)
 {
     hug_geometry geometry;
-    hug_build_desc desc;
+    hug_build_desc desc = *options;
     hug_status status;
 
     memset(&geometry, 0, sizeof geometry);
@@ -19,15 +19,13 @@ int structure_build(const scene *s, hug_structure structure, hug_scene **out)
     geometry.index_type = HUG_INDEX_U32;
     geometry.triangle_count = s->triangle_count;
 
-    memset(&desc, 0, sizeof desc);
     desc.struct_size = sizeof desc;
     desc.geometries = &geometry;
     desc.geometry_count = 1;
-    desc.structure = structure;
 
     status = hug_build(&desc, out);
     if (status != HUG_OK) {
-        message("scene %s: building \"%s\": %s", s->name, structure_names[structure],
+        message("scene %s: building \"%s\": %s", s->name, structure_names[desc.structure],
                 hug_status_string(status));
         return 0;
     }

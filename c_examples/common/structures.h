@@ -10,8 +10,9 @@
 /* By HUG_STRUCTURE_*: auto, uniform, recursive, hug. */
 extern const char *const structure_names[STRUCTURE_COUNT];
 
-/* Builds with every option at its default. Returns 1, or 0 after a message. */
-int structure_build(const scene *s, hug_structure structure, hug_scene **out);
+/* Builds what the options ask for; zeros are defaults, size and geometries are filled
+ * in here. Returns 1, or 0 after a message. */
+int structure_build(const scene *s, const hug_build_desc *options, hug_scene **out);
 
 /* Returns 1, or 0 after a message. */
 int structure_stats(const hug_scene *built, hug_scene_stats *out);

@@ -1,5 +1,6 @@
 #include "compare/embree_side.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "message.h"
@@ -14,7 +15,7 @@ static void on_error(void *user, enum RTCError code, const char *text)
 static bool on_memory(void *user, ssize_t bytes, bool post)
 {
     (void)post;
-    ((embree_side *)user)->bytes += bytes;
+    ((embree_side *)user)->held += bytes;
     return true;
 }
 
@@ -24,11 +25,14 @@ static int failed(embree_side *e)
     return rtcGetDeviceError(e->device) != RTC_ERROR_NONE;
 }
 
-int embree_open(const scene *from, embree_side *out)
+int embree_open(const scene *from, const embree_kind *kind, unsigned threads, embree_side *out)
 {
+    char config[32];
     memset(out, 0, sizeof *out);
     out->from = from;
-    out->device = rtcNewDevice("threads=1");
+    out->kind = kind;
+    snprintf(config, sizeof config, "threads=%u", threads);
+    out->device = rtcNewDevice(config);
     if (!out->device) {
         message("Embree: no device (error %d)", (int)rtcGetDeviceError(NULL));
         return 0;
@@ -41,6 +45,7 @@ int embree_open(const scene *from, embree_side *out)
 int embree_build(embree_side *e)
 {
     const scene *s = e->from;
+    long long before = e->held;
     RTCGeometry geometry = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     e->built = rtcNewScene(e->device);
     if (!geometry || !e->built || failed(e)) {
@@ -54,12 +59,14 @@ int embree_build(embree_side *e)
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(e->built, geometry, 0);
     rtcReleaseGeometry(geometry);
-    rtcSetSceneBuildQuality(e->built, RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneFlags(e->built, e->kind->flags);
+    rtcSetSceneBuildQuality(e->built, e->kind->quality);
     rtcCommitScene(e->built);
     if (failed(e)) {
         message("Embree: cannot build %s", s->name);
         return 0;
     }
+    e->scene_bytes = (unsigned long long)(e->held - before);
     return 1;
 }
 

@@ -1,20 +1,22 @@
-/* The same triangles in Embree: one thread, medium quality, default flags. */
+/* The same triangles in Embree, built in one of its ways. */
 #ifndef EMBREE_SIDE_H
 #define EMBREE_SIDE_H
 
-#include <embree3/rtcore.h>
-
+#include "compare/peers.h"
 #include "scene.h"
 
 typedef struct {
     const scene *from; /* must outlive this */
-    RTCDevice device;
+    const embree_kind *kind;
+    RTCDevice device; /* NULL: never opened, or closed */
     RTCScene built;
-    long long bytes; /* that the device holds now */
+    long long held;                 /* bytes that the device holds now */
+    unsigned long long scene_bytes; /* of the scene built last */
 } embree_side;
 
-/* Returns 1, or 0 after a message. Close in both cases. */
-int embree_open(const scene *from, embree_side *out);
+/* The place must stay where it is: the device counts its memory there. Returns 1, or 0
+ * after a message. Close in both cases. */
+int embree_open(const scene *from, const embree_kind *kind, unsigned threads, embree_side *out);
 void embree_close(embree_side *e);
 
 /* Builds the scene, which embree_release must have released before.

@@ -1,6 +1,5 @@
 #include "compare/judge.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "compare/judge_print.h"
@@ -58,20 +57,6 @@ static int decide(const trial *what, size_t ray, const hug_hit *ours, const hug_
     return ours->geom == HUG_NONE || check_t(what, ray, ours, out);
 }
 
-/* The class of a difference, or CLASS_COUNT for none. */
-static int classify(const hug_hit *ours, const hug_hit *theirs)
-{
-    float larger = fmaxf(fabsf(ours->t), fabsf(theirs->t));
-    if ((ours->geom == HUG_NONE) != (theirs->geom == HUG_NONE))
-        return CLASS_HIT;
-    if (ours->geom == HUG_NONE)
-        return CLASS_COUNT;
-    /* written so that a NaN is a difference */
-    if (!(fabsf(ours->t - theirs->t) <= 1e-4f * larger))
-        return CLASS_T;
-    return ours->prim != theirs->prim || ours->geom != theirs->geom ? CLASS_TIE : CLASS_COUNT;
-}
-
 int judge_hits(const trial *what, const hug_hit *ours, const hug_hit *theirs, tally *t)
 {
     progress bar;
@@ -79,7 +64,7 @@ int judge_hits(const trial *what, const hug_hit *ours, const hug_hit *theirs, ta
     int ok = 1;
     progress_start(&bar, "judging differences", what->count);
     for (i = 0; i < what->count && ok; i++) {
-        int class_of = classify(&ours[i], &theirs[i]);
+        int class_of = difference_class(&ours[i], &theirs[i]);
         kit_verdict verdict;
         if (class_of == CLASS_COUNT)
             continue;
@@ -137,42 +122,4 @@ int judge_occlusion(const trial *what, const uint8_t *ours, const uint8_t *their
     }
     progress_end(&bar);
     return ok;
-}
-
-void judge_same_hits(const trial *what, const char *other, const hug_hit *a, const hug_hit *b,
-                     tally *t)
-{
-    size_t i, wrong = 0;
-    for (i = 0; i < what->count; i++)
-        if (memcmp(&a[i], &b[i], sizeof a[i]) != 0)
-            print_hits(what, wrong++, "hug contradicts itself", i, &a[i], other, &b[i]);
-    t->inconsistent += wrong;
-}
-
-void judge_same_occlusion(const trial *what, const char *other, const uint8_t *a,
-                          const uint8_t *b, tally *t)
-{
-    size_t i, wrong = 0;
-    for (i = 0; i < what->count; i++)
-        if (a[i] != b[i])
-            print_occlusion(what, wrong++, "hug contradicts itself", i, a[i], other, b[i]);
-    t->inconsistent += wrong;
-}
-
-size_t tally_found(const tally *t)
-{
-    size_t found = t->inconsistent;
-    int i;
-    for (i = 0; i < CLASS_COUNT; i++)
-        found += t->found[i];
-    return found;
-}
-
-size_t tally_wrong(const tally *t)
-{
-    size_t wrong = t->inconsistent;
-    int i;
-    for (i = 0; i < CLASS_COUNT; i++)
-        wrong += t->decided[i][KIT_THEIRS];
-    return wrong;
 }

@@ -2,7 +2,7 @@
 #ifndef JUDGE_PRINT_H
 #define JUDGE_PRINT_H
 
-#include "compare/judge.h"
+#include "compare/differences.h"
 
 /* Prints at most PRINT_MOST of the cases of a trial; nth counts them from 0. */
 #define PRINT_MOST 100u

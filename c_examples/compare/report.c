@@ -1,132 +1,75 @@
 #include "compare/report.h"
 
-#include <embree3/rtcore.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "hug.h"
+#include "compare/decisions.h"
+#include "compare/report_csv.h"
+#include "compare/report_markdown.h"
+#include "compare/report_text.h"
 #include "message.h"
 
-static double mrays(size_t rays, double seconds)
+void report_begin(const settings *with)
 {
-    return seconds > 0.0 ? 1e-6 * (double)rays / seconds : 0.0;
+    if (with->format == FORMAT_CSV)
+        csv_begin(with);
+    fflush(stdout);
 }
 
-static double ratio(double embree_seconds, double hug_seconds)
+/* Triangles that no structure of hug has. */
+static size_t dropped(const comparison *c)
 {
-    return hug_seconds > 0.0 ? embree_seconds / hug_seconds : 0.0;
+    int i = 0;
+    while (!c->built[i])
+        i++;
+    return c->from->triangle_count - c->builds[i].triangles;
 }
 
-/* A name as a CSV field: quoted where it must be. */
-static void put_field(const char *text)
+void report_scene(const comparison *c)
 {
-    if (!strpbrk(text, ",\"\n")) {
-        fputs(text, stdout);
-        return;
-    }
-    putchar('"');
-    for (; *text; text++) {
-        if (*text == '"')
-            putchar('"');
-        putchar(*text);
-    }
-    putchar('"');
-}
-
-void report_begin(int csv, const scene *s, size_t dropped)
-{
-    if (dropped)
+    if (dropped(c))
         message("%s: hug leaves out %lu triangles, degenerate or not finite; Embree has them all",
-                s->name, (unsigned long)dropped);
-    if (csv) {
-        puts("scene,triangles,structure,rays,query,isa,hug_mrays,embree_mrays,ratio,ratio_min,"
-             "ratio_max,hug_build_ms,embree_build_ms,hug_bytes,embree_bytes,hit_mismatch,"
-             "t_mismatch,prim_mismatch");
+                c->from->name, (unsigned long)dropped(c));
+    if (c->with->format == FORMAT_TEXT)
+        text_scene(c);
+}
+
+void report_build(int format, const build_row *row)
+{
+    if (format == FORMAT_TEXT)
+        text_build(row);
+    fflush(stdout);
+}
+
+void report_view(const comparison *c)
+{
+    if (c->with->format == FORMAT_TEXT)
+        text_view(c->view_name);
+    fflush(stdout);
+}
+
+void report_query(const comparison *c, const query_row *row, const build_row *build)
+{
+    if (c->with->format == FORMAT_TEXT)
+        text_query(row);
+    else if (c->with->format == FORMAT_CSV)
+        csv_query(c->with, row, build, &c->threaded);
+    fflush(stdout);
+}
+
+size_t report_decisions(const comparison *c)
+{
+    return print_decisions(c->with->format == FORMAT_TEXT ? stdout : stderr, c);
+}
+
+void report_summary(const settings *with, const results *found)
+{
+    if (found->build_count == 0)
         return;
-    }
-    printf("%s: %lu triangles; hug %s (%s), Embree %s\n\n", s->name,
-           (unsigned long)s->triangle_count, hug_version(), hug_isa(), RTC_VERSION_STRING);
-    printf("%-10s %10s %10s %10s %10s %13s %13s\n", "structure", "build ms", "Embree ms", "B/tri",
-           "Embree", "bytes", "Embree");
-}
-
-static double per_triangle(unsigned long long bytes, size_t triangles)
-{
-    return triangles ? (double)bytes / (double)triangles : 0.0;
-}
-
-void report_build(int csv, const build_figures *b)
-{
-    if (!csv)
-        printf("%-10s %10.1f %10.1f %10.1f %10.1f %13llu %13llu\n", b->structure,
-               1e3 * b->hug_seconds, 1e3 * b->embree_seconds,
-               per_triangle(b->hug_bytes, b->triangles),
-               per_triangle(b->embree_bytes, b->triangles), b->hug_bytes, b->embree_bytes);
-}
-
-void report_queries(int csv)
-{
-    if (!csv)
-        printf("\nMillions of rays per second; ratio above 1: hug is faster\n"
-               "%-10s %-8s %-12s %9s %8s %8s %6s %13s %6s %6s %6s\n",
-               "structure", "rays", "query", "number", "hug", "Embree", "ratio", "min - max",
-               "hit!=", "t!=", "prim!=");
+    if (with->format == FORMAT_MARKDOWN)
+        markdown_summary(with, found);
+    else if (with->all && with->format == FORMAT_CSV)
+        csv_summary(with, found);
+    else if (with->all)
+        text_summary(found);
     fflush(stdout);
-}
-
-void report_line(int csv, const scene *s, const build_figures *b, const query_figures *q,
-                 const tally *t)
-{
-    double hug = mrays(q->rays, q->hug_seconds), embree = mrays(q->rays, q->embree_seconds);
-    double median_ratio = ratio(q->embree_seconds, q->hug_seconds);
-    unsigned long hit = (unsigned long)t->found[CLASS_HIT];
-    unsigned long other_t = (unsigned long)t->found[CLASS_T];
-    unsigned long tie = (unsigned long)t->found[CLASS_TIE];
-    if (csv) {
-        put_field(s->name);
-        printf(",%lu,%s,%s,%s,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.3f,%llu,%llu,%lu,%lu,%lu\n",
-               (unsigned long)s->triangle_count, b->structure, q->set, q->query, hug_isa(),
-               hug, embree, median_ratio, q->ratio_least, q->ratio_most, 1e3 * b->hug_seconds,
-               1e3 * b->embree_seconds, b->hug_bytes, b->embree_bytes, hit, other_t, tie);
-    } else {
-        printf("%-10s %-8s %-12s %9lu %8.3f %8.3f %6.3f %6.3f-%6.3f %6lu %6lu %6lu\n",
-               b->structure, q->set, q->query, (unsigned long)q->rays, hug, embree, median_ratio,
-               q->ratio_least, q->ratio_most, hit, other_t, tie);
-    }
-    fflush(stdout);
-}
-
-void report_decided(int csv, int any)
-{
-    FILE *to = csv ? stderr : stdout;
-    if (!any)
-        fprintf(to, "\nThe two agree on every ray, but for t within 1e-4\n");
-    else
-        fprintf(to,
-                "\nDifferences, decided by exact arithmetic; of equal t the lowest id is right\n"
-                "%-10s %-8s %-20s %9s %16s %9s %9s\n",
-                "structure", "rays", "difference", "number", "only hug right", "both",
-                "hug wrong");
-}
-
-static void put_decision(FILE *to, const build_figures *b, const char *set, const char *what,
-                         size_t found, const size_t decided[3])
-{
-    if (found)
-        fprintf(to, "%-10s %-8s %-20s %9lu %16lu %9lu %9lu\n", b->structure, set, what,
-                (unsigned long)found, (unsigned long)decided[KIT_OURS],
-                (unsigned long)decided[KIT_BOTH], (unsigned long)decided[KIT_THEIRS]);
-}
-
-void report_decisions(int csv, const build_figures *b, const char *set, const tally *t)
-{
-    static const char *const names[CLASS_COUNT] = {"hit or miss", "t", "triangle, same t"};
-    FILE *to = csv ? stderr : stdout;
-    size_t own[3];
-    int i;
-    for (i = 0; i < CLASS_COUNT; i++)
-        put_decision(to, b, set, names[i], t->found[i], t->decided[i]);
-    memset(own, 0, sizeof own);
-    own[KIT_THEIRS] = t->inconsistent;
-    put_decision(to, b, set, "hug from itself", t->inconsistent, own);
 }

@@ -1,39 +1,25 @@
-/* What compare prints: CSV, or tables with the same figures. */
+/* What compare prints, in the form that was asked for: as it comes, and at the end. */
 #ifndef REPORT_H
 #define REPORT_H
 
-#include <stddef.h>
+#include "compare/comparison.h"
 
-#include "compare/judge.h"
-#include "scene.h"
+/* What comes before everything, once. */
+void report_begin(const settings *with);
 
-/* What building took, for hug's structure and for Embree. */
-typedef struct {
-    const char *structure;
-    size_t triangles; /* that hug kept */
-    double hug_seconds, embree_seconds;
-    unsigned long long hug_bytes, embree_bytes;
-} build_figures;
+/* A scene that was built; then each of its builds. */
+void report_scene(const comparison *c);
+void report_build(int format, const build_row *row);
 
-/* What one ray set took, in one form of query. */
-typedef struct {
-    const char *set, *query;
-    size_t rays;
-    double hug_seconds, embree_seconds; /* medians */
-    double ratio_least, ratio_most;     /* of Embree's time and hug's, round by round */
-} query_figures;
+/* A view of it; then each of its queries, with the build that answered. */
+void report_view(const comparison *c);
+void report_query(const comparison *c, const query_row *row, const build_row *build);
 
-/* dropped: triangles that no structure of hug has. */
-void report_begin(int csv, const scene *s, size_t dropped);
-void report_build(int csv, const build_figures *build);
-void report_queries(int csv);
-void report_line(int csv, const scene *s, const build_figures *build, const query_figures *query,
-                 const tally *t);
+/* The differences of the view by class, and what the arbiter decided. Returns how
+ * many were decided against hug. */
+size_t report_decisions(const comparison *c);
 
-/* The differences of one structure and ray set by class, and what the arbiter
- * decided: to standard output, with CSV to standard error. report_decided comes
- * first, and says so if there are none at all. */
-void report_decided(int csv, int any);
-void report_decisions(int csv, const build_figures *build, const char *set, const tally *t);
+/* Over all scenes, at the end. */
+void report_summary(const settings *with, const results *found);
 
 #endif

@@ -4,102 +4,140 @@
 #include <string.h>
 
 #include "clocks.h"
-#include "compare/rounds.h"
+#include "compare/build_jobs.h"
+#include "compare/report.h"
 #include "message.h"
 #include "structures.h"
 
-/* One structure's build as a contender. */
+/* The structures, Embree's ways, and Embree on several threads. A library that
+ * builds on the caller's threads is one more job of build_jobs.h. */
+#define JOBS (COMPARED_COUNT + EMBREE_BUILDS + 1)
+
 typedef struct {
-    const scene *from;
-    hug_scene **built;
-    hug_structure structure;
-} build_job;
+    comparison *c;
+    hug_job hug[COMPARED_COUNT];
+    embree_job threads;
+    contender contenders[JOBS];
+    build_row *rows[JOBS]; /* what is to be filled for each */
+    size_t count, reference;
+    double *seconds;
+} builder;
 
-static void release_hug(void *self)
+static build_row *enter(builder *b, build_row *row, const char *name, int peer)
 {
-    build_job *job = (build_job *)self;
-    hug_free(*job->built);
-    *job->built = NULL;
+    const scene *from = b->c->from;
+    memset(row, 0, sizeof *row);
+    memcpy(row->scene, from->name, sizeof row->scene);
+    row->name = name;
+    row->peer = peer;
+    row->threads = 1;
+    b->rows[b->count++] = row;
+    return row;
 }
 
-static int build_hug(void *self, size_t n)
+static int enter_all(builder *b)
 {
-    build_job *job = (build_job *)self;
-    (void)n;
-    return structure_build(job->from, job->structure, job->built);
+    comparison *c = b->c;
+    int i;
+    for (i = 0; i < COMPARED_COUNT; i++) {
+        if (!(c->with->structures & (1u << i)))
+            continue;
+        hug_job_enter(&b->hug[i], c->from, &c->with->build, (hug_structure)i, &c->built[i],
+                      &b->contenders[b->count]);
+        enter(b, &c->builds[i], structure_names[i], 0);
+    }
+    b->reference = b->count;
+    for (i = 0; i < EMBREE_BUILDS; i++) {
+        if (!peers_need(c->with->peers, i))
+            continue;
+        if (!embree_open(c->from, &embree_kinds[i], 1, &c->embree[i]))
+            return 0;
+        embree_side_enter(&c->embree[i], &b->contenders[b->count]);
+        enter(b, &c->peer_builds[i], embree_kinds[i].name, 1);
+    }
+    if (c->with->threads > 1) {
+        embree_job_enter(&b->threads, c->from, &embree_kinds[EMBREE_MEDIUM], c->with->threads,
+                         &b->contenders[b->count]);
+        enter(b, &c->threaded, embree_kinds[EMBREE_MEDIUM].name, 1)->threads = c->with->threads;
+    }
+    return 1;
 }
 
-static void release_embree(void *self)
+static int measure(builder *b)
 {
-    embree_release((embree_side *)self);
-}
-
-static int build_embree(void *self, size_t n)
-{
-    (void)n;
-    return embree_build((embree_side *)self);
-}
-
-static int fill_figures(const comparison *c, int structure, double *hug, double *embree,
-                        build_figures *out)
-{
-    hug_scene_stats stats;
-    unsigned rounds = c->with->build_rounds;
-    if (!structure_stats(c->built[structure], &stats))
+    unsigned rounds = b->c->with->build_rounds;
+    size_t i;
+    b->seconds = (double *)calloc(2 * b->count * rounds, sizeof *b->seconds);
+    if (!b->seconds) {
+        message("no memory for %u rounds", rounds);
         return 0;
-    out->structure = structure_names[structure];
-    out->triangles = (size_t)stats.triangles;
-    out->hug_seconds = median(hug, rounds);
-    out->embree_seconds = median(embree, rounds);
-    out->hug_bytes = stats.bytes;
-    out->embree_bytes = (unsigned long long)c->embree.bytes;
+    }
+    for (i = 0; i < b->count; i++) {
+        b->contenders[i].seconds = b->seconds + 2 * i * rounds;
+        b->contenders[i].wall = b->contenders[i].seconds + rounds;
+    }
+    return rounds_run("building", b->contenders, b->count, 0, 0, rounds, seconds_process);
+}
+
+/* Sizes are known of each, and hug's sections. */
+static int fill_sizes(builder *b)
+{
+    comparison *c = b->c;
+    size_t kept = 0;
+    int i;
+    for (i = 0; i < COMPARED_COUNT; i++) {
+        hug_scene_stats stats;
+        if (!c->built[i])
+            continue;
+        if (!structure_stats(c->built[i], &stats))
+            return 0;
+        kept = (size_t)stats.triangles;
+        c->builds[i].bytes = stats.bytes;
+        c->builds[i].grids = stats.grid_bytes;
+        c->builds[i].voxels = stats.voxel_bytes;
+        c->builds[i].refs = stats.ref_bytes;
+        c->builds[i].triangle_bytes = stats.triangle_bytes;
+    }
+    for (i = 0; i < EMBREE_BUILDS; i++)
+        c->peer_builds[i].bytes = c->embree[i].scene_bytes;
+    c->threaded.bytes = b->threads.side.scene_bytes;
+    for (i = 0; i < (int)b->count; i++)
+        b->rows[i]->triangles = kept;
+    return 1;
+}
+
+static int keep(builder *b)
+{
+    comparison *c = b->c;
+    unsigned rounds = c->with->build_rounds;
+    const build_row *reference = b->rows[b->reference];
+    size_t i;
+    for (i = 0; i < b->count; i++) {
+        b->rows[i]->cpu = median(b->contenders[i].seconds, rounds);
+        b->rows[i]->wall = median(b->contenders[i].wall, rounds);
+    }
+    for (i = 0; i < b->count; i++) {
+        b->rows[i]->reference_cpu = reference->cpu;
+        b->rows[i]->reference_wall = reference->wall;
+        b->rows[i]->reference_bytes = reference->bytes;
+        if (!results_add_build(c->found, b->rows[i]))
+            return 0;
+    }
+    report_scene(c);
+    for (i = 0; i < b->count; i++)
+        report_build(c->with->format, b->rows[i]);
     return 1;
 }
 
 int run_builds(comparison *c)
 {
-    contender contenders[COMPARED_COUNT + 1];
-    build_job jobs[COMPARED_COUNT];
-    int structures[COMPARED_COUNT];
-    unsigned rounds = c->with->build_rounds;
-    double *seconds = (double *)calloc((COMPARED_COUNT + 1) * rounds, sizeof *seconds);
-    double *embree_seconds;
-    long long before;
-    size_t count = 0, i;
-    int structure, ok;
-
-    if (!seconds) {
-        message("no memory for %u rounds", rounds);
-        return 0;
-    }
-    if (!embree_open(c->from, &c->embree)) {
-        free(seconds);
-        return 0;
-    }
-    before = c->embree.bytes;
-    for (structure = 0; structure < COMPARED_COUNT; structure++) {
-        if (!(c->with->structures & (1u << structure)))
-            continue;
-        jobs[count].from = c->from;
-        jobs[count].built = &c->built[structure];
-        jobs[count].structure = (hug_structure)structure;
-        contenders[count].prepare = release_hug;
-        contenders[count].run = build_hug;
-        contenders[count].self = &jobs[count];
-        structures[count++] = structure;
-    }
-    contenders[count].prepare = release_embree;
-    contenders[count].run = build_embree;
-    contenders[count].self = &c->embree;
-    for (i = 0; i <= count; i++)
-        contenders[i].seconds = seconds + i * rounds;
-    embree_seconds = contenders[count].seconds;
-    ok = rounds_run("building", contenders, count + 1, 0, 0, rounds, seconds_process);
-    c->embree.bytes -= before;
-    for (i = 0; i < count && ok; i++)
-        ok = fill_figures(c, structures[i], contenders[i].seconds, embree_seconds,
-                          &c->builds[structures[i]]);
-    free(seconds);
+    builder b;
+    int ok;
+    memset(&b, 0, sizeof b);
+    b.c = c;
+    ok = enter_all(&b) && measure(&b) && fill_sizes(&b) && keep(&b);
+    embree_close(&b.threads.side);
+    free(b.seconds);
     return ok;
 }
 
@@ -110,5 +148,6 @@ void release_builds(comparison *c)
         hug_free(c->built[i]);
         c->built[i] = NULL;
     }
-    embree_close(&c->embree);
+    for (i = 0; i < EMBREE_BUILDS; i++)
+        embree_close(&c->embree[i]);
 }

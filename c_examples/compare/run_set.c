@@ -1,161 +1,136 @@
 #include "compare/run_set.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "clocks.h"
-#include "compare/queries.h"
+#include "compare/judge.h"
+#include "compare/lanes.h"
+#include "compare/report.h"
 #include "message.h"
 
-#define LANES (COMPARED_COUNT * FORM_COUNT)
-
-/* One structure in one form. */
-typedef struct {
-    int structure, form;
-    hug_query query;
-    double *seconds;
-} lane;
-
-typedef struct {
-    comparison *c;
-    int set;
-    const ray_set *rays;
-    lane lanes[LANES];
-    size_t count;
-    embree_query embree;
-    double *seconds; /* of all, lanes first and Embree last */
-} running;
-
-static int occlusion(int set)
+static int measure(lane_set *l)
 {
-    return set == RAYS_SHADOW;
-}
-
-static int prepare(running *r)
-{
-    const settings *with = r->c->with;
-    int structure, form;
-    for (structure = 0; structure < COMPARED_COUNT; structure++) {
-        for (form = 0; form < FORM_COUNT; form++) {
-            lane *l = &r->lanes[r->count];
-            if (!(with->structures & (1u << structure)) || !(with->forms & (1u << form)))
-                continue;
-            l->structure = structure;
-            l->form = form;
-            r->count++;
-            if (!hug_query_make(r->c->built[structure], r->rays->rays, r->rays->count,
-                                occlusion(r->set), &l->query))
-                return 0;
-        }
-    }
-    r->seconds = (double *)calloc((r->count + 1) * with->rounds, sizeof *r->seconds);
-    if (!r->seconds) {
+    contender contenders[MOST_LANES + PEER_COUNT];
+    const settings *with = l->c->with;
+    size_t count = l->count + l->rival_count, i;
+    l->seconds = (double *)calloc(count * with->rounds, sizeof *l->seconds);
+    if (!l->seconds) {
         message("no memory for %u rounds", with->rounds);
         return 0;
     }
-    return embree_query_make(r->c->embree.built, r->rays->rays, r->rays->count,
-                             occlusion(r->set), &r->embree);
+    lanes_enter(l, contenders);
+    for (i = 0; i < count; i++) {
+        contenders[i].seconds = l->seconds + i * with->rounds;
+        contenders[i].wall = NULL;
+    }
+    return rounds_run(ray_set_names[l->set], contenders, count, l->rays->count,
+                      l->rays->count / 8, with->rounds, seconds_thread);
 }
 
-static int measure(running *r)
+/* The first answers against the reference. All other lanes gave the same bits, or
+ * failed already, so that the verdicts are those of every structure. */
+static int judge(lane_set *l)
 {
-    contender contenders[LANES + 1];
-    unsigned rounds = r->c->with->rounds;
-    size_t i;
-    int ok;
-    for (i = 0; i < r->count; i++) {
-        lane *l = &r->lanes[i];
-        l->seconds = contenders[i].seconds = r->seconds + i * rounds;
-        hug_query_enter(&l->query, l->form == FORM_STREAM, &contenders[i]);
+    tally verdicts;
+    trial what = lanes_trial(l, &l->lanes[0]);
+    int structure, ok;
+    memset(&verdicts, 0, sizeof verdicts);
+    ok = l->first.hits ? judge_hits(&what, l->first.hits, l->reference.hits, &verdicts)
+                       : judge_occlusion(&what, l->first.occluded, l->reference.occluded,
+                                         &verdicts);
+    for (structure = 0; structure < COMPARED_COUNT; structure++) {
+        tally *t = &l->c->tallies[structure][l->set];
+        if (!l->c->built[structure])
+            continue;
+        memcpy(t->found, verdicts.found, sizeof t->found);
+        memcpy(t->decided, verdicts.decided, sizeof t->decided);
     }
-    contenders[r->count].seconds = r->seconds + r->count * rounds;
-    embree_query_enter(&r->embree, &contenders[r->count]);
-    ok = rounds_run(ray_set_names[r->set], contenders, r->count + 1, r->rays->count,
-                    r->rays->count / 8, rounds, seconds_thread);
-    if (ok)
-        embree_query_finish(&r->embree);
     return ok;
 }
 
-/* A structure's first lane is judged against Embree, and every other lane of any
- * structure must say the same as the very first, bit for bit. */
-static int judge(running *r, size_t i, tally *t)
-{
-    const lane *first = &r->lanes[0], *l = &r->lanes[i];
-    int new_structure = i == 0 || l->structure != r->lanes[i - 1].structure;
-    trial what;
-    what.from = r->c->from;
-    what.built = r->c->built[l->structure];
-    what.structure = r->c->builds[l->structure].structure;
-    what.set = ray_set_names[r->set];
-    what.rays = r->rays->rays;
-    what.count = r->rays->count;
-    if (occlusion(r->set)) {
-        judge_same_occlusion(&what, "another form of query, or structure", l->query.occluded,
-                             first->query.occluded, t);
-        return !new_structure ||
-               judge_occlusion(&what, l->query.occluded, r->embree.flags, t);
-    }
-    judge_same_hits(&what, "another form of query, or structure", l->query.hits,
-                    first->query.hits, t);
-    return !new_structure || judge_hits(&what, l->query.hits, r->embree.hits, t);
-}
-
 /* Medians are taken of copies: they sort, and rounds must stay paired. */
-static void figures(running *r, size_t i, query_figures *out)
+static void fill_times(const lane_set *l, size_t contender_at, query_row *row)
 {
-    static const char *const queries[2][FORM_COUNT] = {{"intersect", "intersect_n"},
-                                                       {"occluded", "occluded_n"}};
-    unsigned round, rounds = r->c->with->rounds;
-    const double *embree = r->seconds + r->count * rounds;
+    unsigned round, rounds = l->c->with->rounds;
+    const double *own = l->seconds + contender_at * rounds;
+    const double *reference = l->seconds + l->count * rounds;
     double copy[2][MOST_ROUNDS];
-    memset(out, 0, sizeof *out);
-    out->set = ray_set_names[r->set];
-    out->query = queries[occlusion(r->set)][r->lanes[i].form];
-    out->rays = r->rays->count;
     for (round = 0; round < rounds; round++) {
-        double ours = r->lanes[i].seconds[round];
-        double ratio = ours > 0.0 ? embree[round] / ours : 0.0;
-        if (round == 0 || ratio < out->ratio_least)
-            out->ratio_least = ratio;
-        if (round == 0 || ratio > out->ratio_most)
-            out->ratio_most = ratio;
-        copy[0][round] = ours;
-        copy[1][round] = embree[round];
+        double ratio = ratio_of(reference[round], own[round]);
+        if (round == 0 || ratio < row->ratio_least)
+            row->ratio_least = ratio;
+        if (round == 0 || ratio > row->ratio_most)
+            row->ratio_most = ratio;
     }
-    out->hug_seconds = median(copy[0], rounds);
-    out->embree_seconds = median(copy[1], rounds);
+    memcpy(copy[0], own, rounds * sizeof *own);
+    memcpy(copy[1], reference, rounds * sizeof *own);
+    row->seconds = median(copy[0], rounds);
+    row->reference = median(copy[1], rounds);
 }
 
-static int report(running *r)
+static query_row new_row(const lane_set *l, const char *name)
 {
+    const comparison *c = l->c;
+    query_row row;
+    memset(&row, 0, sizeof row);
+    memcpy(row.scene, c->from->name, sizeof row.scene);
+    strncat(row.view, c->view_name, sizeof row.view - 1);
+    row.triangles = c->from->triangle_count;
+    row.rays = l->rays->count;
+    row.set = l->set;
+    row.name = name;
+    row.isa = "";
+    return row;
+}
+
+static int keep(const lane_set *l, const query_row *row, const build_row *build)
+{
+    report_query(l->c, row, build);
+    return results_add_query(l->c->found, row);
+}
+
+static int report(const lane_set *l)
+{
+    comparison *c = l->c;
     size_t i;
-    for (i = 0; i < r->count; i++) {
-        int structure = r->lanes[i].structure;
-        tally *t = &r->c->tallies[structure][r->set];
-        query_figures query;
-        if (!judge(r, i, t))
+    for (i = 0; i < l->count; i++) {
+        const lane *from = &l->lanes[i];
+        query_row row = new_row(l, c->builds[from->structure].name);
+        row.stream = from->stream;
+        row.isa = from->query.isa;
+        memcpy(row.found, c->tallies[from->structure][l->set].found, sizeof row.found);
+        fill_times(l, i, &row);
+        if (!keep(l, &row, &c->builds[from->structure]))
             return 0;
-        figures(r, i, &query);
-        report_line(r->c->with->csv, r->c->from, &r->c->builds[structure], &query, t);
+    }
+    /* the reference itself is in every row */
+    for (i = 1; i < l->rival_count; i++) {
+        const rival *from = &l->rivals[i];
+        query_row row = new_row(l, peers[from->peer].name);
+        row.peer = 1;
+        memcpy(row.found, from->differs.found, sizeof row.found);
+        fill_times(l, l->count + i, &row);
+        if (!keep(l, &row, &c->peer_builds[peers[from->peer].build]))
+            return 0;
     }
     return 1;
 }
 
 int run_set(comparison *c, int set, const ray_set *rays)
 {
-    running r;
-    size_t i;
+    lane_set *l = (lane_set *)calloc(1, sizeof *l);
     int ok;
-    memset(&r, 0, sizeof r);
-    r.c = c;
-    r.set = set;
-    r.rays = rays;
-    ok = prepare(&r) && measure(&r) && report(&r);
-    for (i = 0; i < r.count; i++)
-        hug_query_free(&r.lanes[i].query);
-    embree_query_free(&r.embree);
-    free(r.seconds);
+    if (!l) {
+        message("no memory for %s rays", ray_set_names[set]);
+        return 0;
+    }
+    l->c = c;
+    l->set = set;
+    l->rays = rays;
+    ok = lanes_make(l) && measure(l) && judge(l) && report(l);
+    free(l->seconds);
+    lanes_free(l);
+    free(l);
     return ok;
 }

@@ -2,6 +2,8 @@
 #![allow(dead_code, missing_docs)]
 
 pub mod aligned;
+#[cfg(feature = "capi")]
+pub mod compare;
 pub mod everywhere;
 pub mod layout;
 pub mod native;
