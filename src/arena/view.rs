@@ -184,11 +184,11 @@ pub(crate) struct Axis<'a> {
 }
 
 impl<'a> Axis<'a> {
-    /// Those of the corners of triangle number `i`, from a reference; the fourth
-    /// number means nothing.
+    /// Those of the corners of a triangle, from three times its number, which is a
+    /// reference's or 0; the fourth number means nothing.
     #[inline(always)]
-    pub fn row(&self, i: u32) -> &'a [f32; 4] {
+    pub fn row(&self, thrice: u32) -> &'a [f32; 4] {
         // SAFETY: see the module; a triangle is three rows.
-        unsafe { &*self.rows.add(i as usize * 3) }
+        unsafe { &*self.rows.add(thrice as usize) }
     }
 }

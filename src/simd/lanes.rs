@@ -1,19 +1,19 @@
 //! The vector operations that the walk and the sieve are written in.
 
-/// Four lanes of `f64`, `f32` and `i32` for the walk, and rows of four `f32` for
-/// the sieve, with the operations needed.
+/// Four lanes of `f64`, `f32` and `i32` for the walk, and a wide row of `f32` for
+/// the sieve, a triangle each, with the operations needed.
 ///
 /// A value of an implementing type is proof that the processor has the
 /// instructions: values come from run-time detection alone. What four lanes
 /// compute is the same everywhere, bit for bit, but for numbers out of range and
-/// NaN; rows may round otherwise.
+/// NaN; wide rows may round otherwise.
 pub(crate) trait Lanes: Copy {
     type F64: Copy;
     type F32: Copy;
     type I32: Copy;
-    /// A row of four `f32` of each of [`Lanes::ROWS`] triangles.
-    type Rows: Copy;
-    const ROWS: usize;
+    /// [`Lanes::WIDE`] `f32`, at most 8.
+    type Wide: Copy;
+    const WIDE: usize;
 
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;
@@ -71,8 +71,8 @@ pub(crate) trait Lanes: Copy {
     fn equal(self, a: Self::F32, b: Self::F32) -> Self::I32;
     /// Lane `order[k]` of `a` in lane k.
     fn permute(self, a: Self::F32, order: &[i32; 4]) -> Self::F32;
-    /// Lane K in every lane of every row.
-    fn spread<const K: i32>(self, a: Self::F32) -> Self::Rows;
+    /// Lane K in every lane.
+    fn spread<const K: i32>(self, a: Self::F32) -> Self::Wide;
     /// One bit for each of the first three lanes that is negative, -0 included.
     fn signs(self, a: Self::F32) -> u32;
     /// One bit for each of the first three lanes in which `a == b`.
@@ -97,29 +97,24 @@ pub(crate) trait Lanes: Copy {
     /// Whether one of the first three lanes of `a` is greater than that of `b`.
     fn any_greater(self, a: Self::I32, b: Self::I32) -> bool;
 
-    /// Row `row(i)` of each triangle i.
-    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> Self::Rows;
-    fn splat_rows(self, a: f32) -> Self::Rows;
-    fn sub_rows(self, a: Self::Rows, b: Self::Rows) -> Self::Rows;
-    fn mul_rows(self, a: Self::Rows, b: Self::Rows) -> Self::Rows;
-    fn add_rows(self, a: Self::Rows, b: Self::Rows) -> Self::Rows;
-    fn abs_rows(self, a: Self::Rows) -> Self::Rows;
+    /// Three times the first [`Lanes::WIDE`] numbers, zeros where there are fewer.
+    fn thrice(self, numbers: &[u32]) -> [u32; 8];
+    /// The first, second and third numbers of `row(0)`, `row(1)` and so on.
+    fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [Self::Wide; 3];
+    fn splat_wide(self, a: f32) -> Self::Wide;
+    fn sub_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    fn mul_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    fn add_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    fn min_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    fn max_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    fn abs_wide(self, a: Self::Wide) -> Self::Wide;
     /// `a - b * c`, rounded once or twice.
-    fn less_product(self, a: Self::Rows, b: Self::Rows, c: Self::Rows) -> Self::Rows;
+    fn less_product(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
     /// `a * b - c * d`, rounded twice or three times.
-    fn cross_rows(self, a: Self::Rows, b: Self::Rows, c: Self::Rows, d: Self::Rows) -> Self::Rows;
-    /// Lanes 1, 2, 0 of each row in lanes 0, 1, 2.
-    fn rotate(self, a: Self::Rows) -> Self::Rows;
-    /// Bit 4 i + 3 for each row i: whether one of its first three lanes of `side` is
-    /// below `-error` and another above `error`, or those of `z` are all below `lo`
-    /// or all above `hi`.
-    fn misses(
-        self,
-        side: Self::Rows,
-        error: Self::Rows,
-        z: Self::Rows,
-        range: [Self::Rows; 2],
-    ) -> u32;
+    fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
+    /// One bit for each lane in which `a > b` and `c > b`, or `d < e`, or `f > g`.
+    fn misses(self, ab: [Self::Wide; 2], c: Self::Wide, de: [Self::Wide; 2], fg: [Self::Wide; 2])
+    -> u32;
 }
 
 /// Code to be compiled for an instruction set.

@@ -35,8 +35,8 @@ impl Lanes for Portable {
     type F64 = [f64; 4];
     type F32 = [f32; 4];
     type I32 = [i32; 4];
-    type Rows = [f32; 4];
-    const ROWS: usize = 1;
+    type Wide = [f32; 4];
+    const WIDE: usize = 4;
 
     #[inline(always)]
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
@@ -270,27 +270,44 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [f32; 4] {
-        *row(0)
+    fn thrice(self, numbers: &[u32]) -> [u32; 8] {
+        let mut thrice = [0; 8];
+        for (to, number) in thrice[..4].iter_mut().zip(numbers) {
+            *to = number * 3;
+        }
+        thrice
     }
     #[inline(always)]
-    fn splat_rows(self, a: f32) -> [f32; 4] {
+    fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [[f32; 4]; 3] {
+        let rows = [row(0), row(1), row(2), row(3)];
+        [0, 1, 2].map(|k| [rows[0][k], rows[1][k], rows[2][k], rows[3][k]])
+    }
+    #[inline(always)]
+    fn splat_wide(self, a: f32) -> [f32; 4] {
         [a; 4]
     }
     #[inline(always)]
-    fn sub_rows(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+    fn sub_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
         self.sub_f32(a, b)
     }
     #[inline(always)]
-    fn mul_rows(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+    fn mul_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
         self.mul_f32(a, b)
     }
     #[inline(always)]
-    fn add_rows(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+    fn add_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
         self.add_f32(a, b)
     }
     #[inline(always)]
-    fn abs_rows(self, a: [f32; 4]) -> [f32; 4] {
+    fn min_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, |a, b| if a < b { a } else { b })
+    }
+    #[inline(always)]
+    fn max_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        self.max_f32(a, b)
+    }
+    #[inline(always)]
+    fn abs_wide(self, a: [f32; 4]) -> [f32; 4] {
         self.abs_f32(a)
     }
     #[inline(always)]
@@ -298,19 +315,18 @@ impl Lanes for Portable {
         self.sub_f32(a, self.mul_f32(b, c))
     }
     #[inline(always)]
-    fn cross_rows(self, a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> [f32; 4] {
+    fn cross_wide(self, a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> [f32; 4] {
         self.sub_f32(self.mul_f32(a, b), self.mul_f32(c, d))
     }
     #[inline(always)]
-    fn rotate(self, [x, y, z, w]: [f32; 4]) -> [f32; 4] {
-        [y, z, x, w]
-    }
-    #[inline(always)]
-    fn misses(self, a: [f32; 4], e: [f32; 4], z: [f32; 4], [lo, hi]: [[f32; 4]; 2]) -> u32 {
-        let below = a[0] < -e[0] || a[1] < -e[1] || a[2] < -e[2];
-        let above = a[0] > e[0] || a[1] > e[1] || a[2] > e[2];
-        let before = z[0] < lo[0] && z[1] < lo[0] && z[2] < lo[0];
-        let behind = z[0] > hi[0] && z[1] > hi[0] && z[2] > hi[0];
-        u32::from(below && above || before || behind) << 3
+    fn misses(
+        self,
+        [a, b]: [[f32; 4]; 2],
+        c: [f32; 4],
+        [d, e]: [[f32; 4]; 2],
+        [f, g]: [[f32; 4]; 2],
+    ) -> u32 {
+        let miss = |k: usize| (a[k] > b[k]) & (c[k] > b[k]) | (d[k] < e[k]) | (f[k] > g[k]);
+        (0..4).map(|k| u32::from(miss(k)) << k).sum()
     }
 }

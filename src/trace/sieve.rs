@@ -1,7 +1,7 @@
 //! A first look at a few triangles, in `f32`: out for certain, or worth deciding?
 //!
 //! Triangles are sheared so that the ray becomes a coordinate axis (Woop, Benthin &
-//! Wald 2013), the three corners side by side in one row; a triangle is out if the
+//! Wald 2013); a triangle is out if the
 //! ray passes two of its edges on opposite sides by more than the error bound. A hit
 //! is never out. It is out, too, if the z of all corners is the z of parameters out of
 //! range. With e = 2^-24 and R the largest distance, along an axis, from
@@ -9,7 +9,7 @@
 //! (difference 1, slope 1, product 1, third difference 1 twice, in units of e R). Call
 //! d = 8 e R. An edge product of corners i and j is then off by at most `2 d (|x_i|
 //! + |y_i| + |x_j| + |y_j|) + 4 d^2`, its own rounding included; the bound used is
-//! `3 d` times the sum of `|x| + |y| + 2 d` over both. A fused multiply-add only
+//! `3 d` times the sum of `|x| + |y| + 2 d` over all three. A fused multiply-add only
 //! leaves roundings out. Scenes so large or small that `f32` products leave their
 //! range are not sieved.
 
@@ -27,12 +27,12 @@ pub struct Sieve<'a, L: Lanes> {
     lanes: L,
     /// The triangles along the axes that are x, y, z of the sheared space.
     axes: [Axis<'a>; 3],
-    org: [L::Rows; 3],
-    shear: [L::Rows; 2],
-    error: L::Rows,
-    error_twice: L::Rows,
+    org: [L::Wide; 3],
+    shear: [L::Wide; 2],
+    error: L::Wide,
+    error_thrice: L::Wide,
     /// The range of z where t is in range.
-    range: [L::Rows; 2],
+    range: [L::Wide; 2],
     /// Component z of the direction, and that of `tmin`.
     dir: f32,
     start: f32,
@@ -50,11 +50,11 @@ const ORDER: [[i32; 4]; 8] = {
 /// The range of z, from that of `tmin` to that of `limit`. A corner's z is off by
 /// one rounding, and so are these.
 #[inline(always)]
-fn range<L: Lanes>(l: L, start: f32, dir: f32, limit: f32) -> [L::Rows; 2] {
+fn range<L: Lanes>(l: L, start: f32, dir: f32, limit: f32) -> [L::Wide; 2] {
     let end = limit * dir;
     let (lo, hi) = if dir > 0.0 { (start, end) } else { (end, start) };
     let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + f32::MIN_POSITIVE;
-    [l.splat_rows(lo - room(lo)), l.splat_rows(hi + room(hi))]
+    [l.splat_wide(lo - room(lo)), l.splat_wide(hi + room(hi))]
 }
 
 impl<'a, L: Lanes> Sieve<'a, L> {
@@ -86,8 +86,8 @@ impl<'a, L: Lanes> Sieve<'a, L> {
             ],
             org: [l.spread::<0>(org), l.spread::<1>(org), l.spread::<2>(org)],
             shear: [l.spread::<0>(slope), l.spread::<1>(slope)],
-            error: l.splat_rows(3.0 * error),
-            error_twice: l.splat_rows(2.0 * error),
+            error: l.splat_wide(3.0 * error),
+            error_thrice: l.splat_wide(6.0 * error),
             range: range(l, start, dir, ray.tmax),
             dir,
             start,
@@ -101,19 +101,56 @@ impl<'a, L: Lanes> Sieve<'a, L> {
         self.range = range(self.lanes, self.start, self.dir, limit);
     }
 
-    /// Bit 4 i + 3 for each of [`Lanes::ROWS`] triangles, from references: whether
-    /// the ray certainly does not meet it in range. Other bits mean nothing.
+    /// One bit for each of at most [`Lanes::WIDE`] triangles, from references, that
+    /// the ray may meet in range.
     #[inline(always)]
-    pub fn out(&self, refs: impl Fn(usize) -> u32) -> u32 {
+    pub fn pass(&self, refs: &[u32]) -> u32 {
+        let all = (1u32 << refs.len()) - 1;
+        if !self.holds {
+            return all;
+        }
         let l = self.lanes;
-        let x = l.sub_rows(l.rows(|i| self.axes[0].row(refs(i))), self.org[0]);
-        let y = l.sub_rows(l.rows(|i| self.axes[1].row(refs(i))), self.org[1]);
-        let z = l.sub_rows(l.rows(|i| self.axes[2].row(refs(i))), self.org[2]);
-        let x = l.less_product(x, self.shear[0], z);
-        let y = l.less_product(y, self.shear[1], z);
-        let side = l.cross_rows(x, l.rotate(y), y, l.rotate(x));
-        let size = l.add_rows(l.add_rows(l.abs_rows(x), l.abs_rows(y)), self.error_twice);
-        let error = l.mul_rows(self.error, l.add_rows(size, l.rotate(size)));
-        l.misses(side, error, z, self.range)
+        let rows = l.thrice(refs);
+        let [x, y, z] = &self.axes;
+        let ([xa, xb, xc], [ya, yb, yc], [za, zb, zc]) = (
+            l.columns(|i| x.row(rows[i])),
+            l.columns(|i| y.row(rows[i])),
+            l.columns(|i| z.row(rows[i])),
+        );
+        let (a, b, c) = (
+            self.shear([xa, ya, za]),
+            self.shear([xb, yb, zb]),
+            self.shear([xc, yc, zc]),
+        );
+        let ab = l.cross_wide(a.x, b.y, a.y, b.x);
+        let bc = l.cross_wide(b.x, c.y, b.y, c.x);
+        let ca = l.cross_wide(c.x, a.y, c.y, a.x);
+        let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
+        let error = l.mul_wide(self.error, l.add_wide(size, self.error_thrice));
+        let most = l.max_wide(l.max_wide(ab, bc), ca);
+        let least = l.min_wide(l.min_wide(ab, bc), ca);
+        let minus_least = l.sub_wide(l.splat_wide(0.0), least);
+        let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
+        let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
+        let [lo, hi] = self.range;
+        all & !l.misses([most, error], minus_least, [far, lo], [near, hi])
     }
+
+    /// Corners of triangles, sheared.
+    #[inline(always)]
+    fn shear(&self, [x, y, z]: [L::Wide; 3]) -> Corner<L> {
+        let l = self.lanes;
+        let z = l.sub_wide(z, self.org[2]);
+        let x = l.less_product(l.sub_wide(x, self.org[0]), self.shear[0], z);
+        let y = l.less_product(l.sub_wide(y, self.org[1]), self.shear[1], z);
+        Corner { x, y, z, size: l.add_wide(l.abs_wide(x), l.abs_wide(y)) }
+    }
+}
+
+/// A corner of several triangles; `size` is |x| + |y|.
+struct Corner<L: Lanes> {
+    x: L::Wide,
+    y: L::Wide,
+    z: L::Wide,
+    size: L::Wide,
 }

@@ -222,15 +222,11 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     #[inline(always)]
     fn triangles(&mut self, refs: &[u32]) -> Met {
         let mut met = Met::Nothing;
-        let mut rest = refs;
-        while let Some(last) = rest.len().checked_sub(1) {
-            let few = last.min(L::ROWS - 1);
-            self.counters.tests(few + 1);
-            let out = self.sieve.out(|i| rest[i.min(few)]);
-            let all = 0x8888 >> (4 * (3 - few));
-            let mut left = if self.sieve.holds { all & !out } else { all };
+        for few in refs.chunks(L::WIDE) {
+            self.counters.tests(few.len());
+            let mut left = self.sieve.pass(few);
             while left != 0 {
-                let number = rest[left.trailing_zeros() as usize / 4];
+                let number = few[left.trailing_zeros() as usize];
                 left &= left - 1;
                 let decided = &mut self.decided[number as usize % DECIDED];
                 if *decided != number || C::COUNTS {
@@ -241,7 +237,6 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                     met = Met::Something;
                 }
             }
-            rest = &rest[few + 1..];
         }
         met
     }

@@ -1,9 +1,9 @@
-//! AVX2 and FMA: rows of two triangles.
+//! AVX2 and FMA.
 
 use core::arch::x86_64::*;
 
 use super::super::lanes::{Kernel, Lanes};
-use super::{four_lanes, with};
+use super::{eight_lanes, four_lanes, with};
 
 /// Proof that AVX2 and FMA are there.
 #[derive(Clone, Copy)]
@@ -38,8 +38,7 @@ fn compiled<K: Kernel<Avx2>>(kernel: K, lanes: Avx2) -> K::Out {
 impl Lanes for Avx2 {
     four_lanes!();
 
-    type Rows = __m256;
-    const ROWS: usize = 2;
+    eight_lanes!();
 
     #[inline(always)]
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
@@ -47,59 +46,20 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn rows<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> __m256 {
-        with!(_mm256_loadu2_m128(row(1).as_ptr(), row(0).as_ptr()))
-    }
-    #[inline(always)]
-    fn splat_rows(self, a: f32) -> __m256 {
-        with!(_mm256_set1_ps(a))
-    }
-    #[inline(always)]
-    fn sub_rows(self, a: __m256, b: __m256) -> __m256 {
-        with!(_mm256_sub_ps(a, b))
-    }
-    #[inline(always)]
-    fn mul_rows(self, a: __m256, b: __m256) -> __m256 {
-        with!(_mm256_mul_ps(a, b))
-    }
-    #[inline(always)]
-    fn add_rows(self, a: __m256, b: __m256) -> __m256 {
-        with!(_mm256_add_ps(a, b))
-    }
-    #[inline(always)]
-    fn abs_rows(self, a: __m256) -> __m256 {
-        with!(_mm256_andnot_ps(_mm256_set1_ps(-0.0), a))
-    }
-    #[inline(always)]
-    fn less_product(self, a: __m256, b: __m256, c: __m256) -> __m256 {
-        with!(_mm256_fnmadd_ps(b, c, a))
-    }
-    #[inline(always)]
-    fn cross_rows(self, a: __m256, b: __m256, c: __m256, d: __m256) -> __m256 {
-        with!(_mm256_fmsub_ps(a, b, _mm256_mul_ps(c, d)))
-    }
-    #[inline(always)]
-    fn rotate(self, a: __m256) -> __m256 {
-        with!(_mm256_permute_ps::<0b11_00_10_01>(a))
-    }
-    #[inline(always)]
-    fn spread<const K: i32>(self, a: __m128) -> __m256 {
-        let lane = self.permute(a, &[K; 4]);
-        with!(_mm256_broadcastss_ps(lane))
-    }
-    #[inline(always)]
-    fn misses(self, side: __m256, error: __m256, z: __m256, [lo, hi]: [__m256; 2]) -> u32 {
-        let [above, below, before, behind] = with!({
-            let other = _mm256_xor_ps(_mm256_set1_ps(-0.0), side);
-            [
-                _mm256_cmp_ps::<_CMP_GT_OQ>(side, error),
-                _mm256_cmp_ps::<_CMP_GT_OQ>(other, error),
-                _mm256_cmp_ps::<_CMP_LT_OQ>(z, lo),
-                _mm256_cmp_ps::<_CMP_GT_OQ>(z, hi),
-            ]
-            .map(|mask| _mm256_movemask_ps(mask) as u32 & 0x77)
-        });
-        // Carries into bits 3 and 7 from any, or from all, of the three bits below.
-        (above + 0x77) & (below + 0x77) | (before + 0x11) | (behind + 0x11)
+    fn misses(
+        self,
+        [a, b]: [__m256; 2],
+        c: __m256,
+        [d, e]: [__m256; 2],
+        [f, g]: [__m256; 2],
+    ) -> u32 {
+        with!({
+            let ab = _mm256_cmp_ps::<_CMP_GT_OQ>(a, b);
+            let cb = _mm256_cmp_ps::<_CMP_GT_OQ>(c, b);
+            let de = _mm256_cmp_ps::<_CMP_LT_OQ>(d, e);
+            let fg = _mm256_cmp_ps::<_CMP_GT_OQ>(f, g);
+            let out = _mm256_or_ps(_mm256_and_ps(ab, cb), _mm256_or_ps(de, fg));
+            _mm256_movemask_ps(out) as u32
+        })
     }
 }

@@ -285,3 +285,86 @@ macro_rules! four_lanes {
     };
 }
 use four_lanes;
+
+/// The operations on eight lanes but for comparisons, the same for both.
+macro_rules! eight_lanes {
+    () => {
+        type Wide = __m256;
+        const WIDE: usize = 8;
+
+        #[inline(always)]
+        fn thrice(self, numbers: &[u32]) -> [u32; 8] {
+            const MASK: [i32; 16] = [-1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0];
+            let mask = &MASK[8 - numbers.len().min(8)..][..8];
+            let mut thrice = [0; 8];
+            // Reads no number that the mask leaves out.
+            with!({
+                let mask = _mm256_loadu_si256(mask.as_ptr().cast());
+                let n = _mm256_maskload_epi32(numbers.as_ptr().cast(), mask);
+                let n = _mm256_add_epi32(n, _mm256_add_epi32(n, n));
+                _mm256_storeu_si256(thrice.as_mut_ptr().cast(), n);
+            });
+            thrice
+        }
+        #[inline(always)]
+        fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [__m256; 3] {
+            with!({
+                let r04 = _mm256_loadu2_m128(row(4).as_ptr(), row(0).as_ptr());
+                let r15 = _mm256_loadu2_m128(row(5).as_ptr(), row(1).as_ptr());
+                let r26 = _mm256_loadu2_m128(row(6).as_ptr(), row(2).as_ptr());
+                let r37 = _mm256_loadu2_m128(row(7).as_ptr(), row(3).as_ptr());
+                let low01 = _mm256_unpacklo_ps(r04, r15);
+                let low23 = _mm256_unpacklo_ps(r26, r37);
+                let high01 = _mm256_unpackhi_ps(r04, r15);
+                let high23 = _mm256_unpackhi_ps(r26, r37);
+                [
+                    _mm256_shuffle_ps::<0b01_00_01_00>(low01, low23),
+                    _mm256_shuffle_ps::<0b11_10_11_10>(low01, low23),
+                    _mm256_shuffle_ps::<0b01_00_01_00>(high01, high23),
+                ]
+            })
+        }
+        #[inline(always)]
+        fn splat_wide(self, a: f32) -> __m256 {
+            with!(_mm256_set1_ps(a))
+        }
+        #[inline(always)]
+        fn spread<const K: i32>(self, a: __m128) -> __m256 {
+            let lane = self.permute(a, &[K; 4]);
+            with!(_mm256_broadcastss_ps(lane))
+        }
+        #[inline(always)]
+        fn sub_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_sub_ps(a, b))
+        }
+        #[inline(always)]
+        fn mul_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_mul_ps(a, b))
+        }
+        #[inline(always)]
+        fn add_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_add_ps(a, b))
+        }
+        #[inline(always)]
+        fn min_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_min_ps(a, b))
+        }
+        #[inline(always)]
+        fn max_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_max_ps(a, b))
+        }
+        #[inline(always)]
+        fn abs_wide(self, a: __m256) -> __m256 {
+            with!(_mm256_andnot_ps(_mm256_set1_ps(-0.0), a))
+        }
+        #[inline(always)]
+        fn less_product(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            with!(_mm256_fnmadd_ps(b, c, a))
+        }
+        #[inline(always)]
+        fn cross_wide(self, a: __m256, b: __m256, c: __m256, d: __m256) -> __m256 {
+            with!(_mm256_fmsub_ps(a, b, _mm256_mul_ps(c, d)))
+        }
+    };
+}
+use eight_lanes;
