@@ -7,7 +7,7 @@
 use crate::Error;
 
 /// Largest number of triangles in a scene, over all geometries.
-pub const MAX_TRIANGLES: usize = (1 << 31) - 1;
+pub const MAX_TRIANGLES: usize = (1 << 30) - 1;
 
 /// Three vertex indices a triangle, or none: vertices in order.
 #[derive(Clone, Copy, Debug)]

@@ -9,6 +9,7 @@ use super::layout::{
     MAGIC, MAX_WALKS, PAYLOAD, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::Error;
+use crate::geometry::MAX_TRIANGLES;
 use crate::options::{MAX_COUNT, MAX_LEVELS};
 
 /// Checks what the header alone can tell: magic, byte order, version, size.
@@ -57,7 +58,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     require(expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes)?;
     require(is_unit(h.unit) && h.reserved == [0; 6] && h.levels as usize <= MAX_LEVELS)?;
     require((1..=3).contains(&h.structure))?;
-    require(counts.0 < u64::from(GRID_BIT) && counts.3 < u64::from(GRID_BIT))?;
+    require(counts.0 < u64::from(GRID_BIT) && counts.3 <= MAX_TRIANGLES as u64)?;
     require(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
     let grids: &[Grid] = section(bytes, h.grids.offset, counts.0)?;
     let voxels: &[u32] = section(bytes, h.voxels.offset, counts.1)?;

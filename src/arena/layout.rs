@@ -123,7 +123,6 @@ pub struct Grid {
 pub struct GridLanes<'a> {
     pub lo: &'a [f64; 4],
     pub inv_cell: &'a [f32; 4],
-    pub cell: &'a [f32; 4],
     pub n: &'a [u16; 4],
 }
 
@@ -181,7 +180,6 @@ impl Grid {
         GridLanes {
             lo: doubles.first_chunk().unwrap_or(&[0.0; 4]),
             inv_cell: four(6),
-            cell: four(9),
             n: shorts[24..].first_chunk().unwrap_or(&[0; 4]),
         }
     }

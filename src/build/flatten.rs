@@ -12,6 +12,7 @@ use crate::arena::layout::{
     PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
+use crate::simd::fpenv;
 
 /// A finished structure in scratch memory, ready to be written to an arena.
 pub struct Plan<'s> {
@@ -63,6 +64,10 @@ impl<'s> Plan<'s> {
     /// the grids of a voxel are entered over and over; [`Error::BufferTooSmall`], or [`Error::Alignment`] unless `arena` is
     /// aligned to 64.
     pub fn write(self, arena: &mut [u8]) -> Result<(), Error> {
+        fpenv::with_default(|| self.write_all(arena))
+    }
+
+    fn write_all(self, arena: &mut [u8]) -> Result<(), Error> {
         if !(arena.as_ptr() as usize).is_multiple_of(ALIGN) {
             return Err(Error::Alignment);
         }

@@ -141,7 +141,8 @@ fn least_cell(scene: &Aabb) -> f64 {
 pub fn unit(scene: &Aabb) -> f64 {
     // The exponent's bits alone: every f32 is a normal f64.
     let power = f64::from_bits(longest(scene).to_bits() & (0x7ff << 52));
-    if power > 0.0 { 1.0 / power } else { 1.0 }
+    // An empty scene's is infinite.
+    if power > 0.0 && power < f64::INFINITY { 1.0 / power } else { 1.0 }
 }
 
 /// Voxels per axis, rounded to the nearest; an axis along which the box is

@@ -42,8 +42,6 @@ pub(crate) trait Lanes: Copy {
     /// The least of the first three lanes.
     fn lowest3(self, a: Self::F64) -> f64;
 
-    fn array_f64(self, a: Self::F64) -> [f64; 4];
-
     fn load_f32(self, a: &[f32; 4]) -> Self::F32;
     /// Three lanes, and 0 in the fourth.
     fn load3(self, a: &[f32; 4]) -> Self::F32;
@@ -61,7 +59,6 @@ pub(crate) trait Lanes: Copy {
     /// The greatest of the first three lanes, in every lane.
     fn highest(self, a: Self::F32) -> Self::F32;
     fn abs_f32(self, a: Self::F32) -> Self::F32;
-    fn array_f32(self, a: Self::F32) -> [f32; 4];
     /// The least lane, in every lane; no lane is NaN. Of several negative ones, any.
     fn lowest(self, a: Self::F32) -> Self::F32;
     fn first(self, a: Self::F32) -> f32;
@@ -77,8 +74,6 @@ pub(crate) trait Lanes: Copy {
     fn signs(self, a: Self::F32) -> u32;
     /// One bit for each of the first three lanes in which `a == b`.
     fn equals(self, a: Self::F32, b: Self::F32) -> u32;
-    /// Whether the first three lanes are all finite.
-    fn finite3(self, a: Self::F32) -> bool;
 
     fn load_i32(self, a: &[i32; 4]) -> Self::I32;
     fn splat_i32(self, a: i32) -> Self::I32;
@@ -113,8 +108,13 @@ pub(crate) trait Lanes: Copy {
     /// `a * b - c * d`, rounded twice or three times.
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
     /// One bit for each lane in which `a > b` and `c > b`, or `d < e`, or `f > g`.
-    fn misses(self, ab: [Self::Wide; 2], c: Self::Wide, de: [Self::Wide; 2], fg: [Self::Wide; 2])
-    -> u32;
+    fn misses(
+        self,
+        ab: [Self::Wide; 2],
+        c: Self::Wide,
+        de: [Self::Wide; 2],
+        fg: [Self::Wide; 2],
+    ) -> u32;
 }
 
 /// Code to be compiled for an instruction set.

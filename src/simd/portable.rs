@@ -113,10 +113,6 @@ impl Lanes for Portable {
         let low = |x: f64, y: f64| if x < y { x } else { y };
         low(low(x, y), z)
     }
-    #[inline(always)]
-    fn array_f64(self, a: [f64; 4]) -> [f64; 4] {
-        a
-    }
 
     #[inline(always)]
     fn load_f32(self, a: &[f32; 4]) -> [f32; 4] {
@@ -176,10 +172,6 @@ impl Lanes for Portable {
         a.map(f32::abs)
     }
     #[inline(always)]
-    fn array_f32(self, a: [f32; 4]) -> [f32; 4] {
-        a
-    }
-    #[inline(always)]
     fn lowest(self, a: [f32; 4]) -> [f32; 4] {
         [lesser(lesser(a[0], a[1]), lesser(a[2], a[3])); 4]
     }
@@ -210,10 +202,6 @@ impl Lanes for Portable {
     #[inline(always)]
     fn equals(self, a: [f32; 4], b: [f32; 4]) -> u32 {
         (0..3).map(|k| u32::from(a[k] == b[k]) << k).sum()
-    }
-    #[inline(always)]
-    fn finite3(self, a: [f32; 4]) -> bool {
-        a[..3].iter().all(|x| x.is_finite())
     }
 
     #[inline(always)]

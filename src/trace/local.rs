@@ -7,9 +7,8 @@
 //! Error bound. Let n be the grid's largest count, at most 2^11, and e = 2^-24.
 //! In `f64`, `org - lo` and what is computed from it is off by less than
 //! 2^-14 voxels: the build keeps `cell >= 2^-35 |lo|`, and origins more than 2^36
-//! voxels away are moved first (`rebase`). The counts that `inv_cell` and `cell` imply
-//! differ by a part in 2^23. In `f32`, numbers up to n are rounded nine times on the
-//! way to a plane's parameter (place, pace thrice, product, sum, speed twice) and five times to the place there, each by at most n e; at s the ray is
+//! voxels away are moved first (`rebase`). In `f32`, numbers up to n are rounded nine times on the
+//! way to a plane's parameter (place, speed twice, pace, product, sum) and five times to the place there, each by at most n e; at s the ray is
 //! thus within `18 n e <= 2^-9.8` of a voxel of the voxel that the walk is in.
 //! Footprints, and grids that cover a voxel, are padded by `2^-9` (`build::overlap`,
 //! `build::frame`).
@@ -55,10 +54,9 @@ pub(super) struct Local<L: Lanes> {
 impl<L: Lanes> Local<L> {
     /// The part of the ray in `[t0, t1]`, of tau, that can lie in the grid's box.
     #[inline(always)]
-    pub fn enter(l: L, grid: &Grid, course: &Course<L>, t0: f64, t1: f64) -> Option<Self> {
+    pub fn enter(l: L, grid: &Grid, course: &Course<'_, L>, t0: f64, t1: f64) -> Option<Self> {
         let records = grid.lanes();
         let inv_cell = l.load_f32(records.inv_cell);
-        let cell = l.load_f32(records.cell);
         let counts = l.load_u16(records.n);
         let n = l.i32_to_f64(counts);
         let wide = l.widen(inv_cell);
@@ -72,7 +70,7 @@ impl<L: Lanes> Local<L> {
         }
         let mut there = l.add_f64(place, l.mul_f64(l.splat_f64(low), speed));
         if grid.covers == 0 && l.any_outside(there, n) {
-            let pace = l.mul_f64(course.inv, l.widen(cell));
+            let pace = l.div_f64(l.splat_f64(1.0), speed);
             let a = l.mul_f64(l.sub_f64(l.splat_f64(0.0), place), pace);
             let b = l.mul_f64(l.sub_f64(n, place), pace);
             let near = l.highest3(l.min_f64(a, b));
@@ -85,11 +83,13 @@ impl<L: Lanes> Local<L> {
             there = l.add_f64(place, l.mul_f64(l.splat_f64(low), speed));
         }
         let start = l.narrow(l.mirror_f64(there, n, course.dir));
-        let pace = l.mul_f32(course.pace, cell);
+        let steps = l.mul_f32(course.speed, inv_cell);
+        // Infinite in the idle lane, whose planes are then never reached.
+        let pace = l.div_f32(l.splat_f32(1.0), steps);
         let last = l.sub(counts, l.splat_i32(1));
         Some(Self {
             start,
-            speed: l.mul_f32(course.speed, inv_cell),
+            speed: steps,
             pace,
             zero: l.minus_f32(l.mul_f32(start, pace)),
             at: l.max(l.min(l.truncate(start), last), l.splat_i32(0)),
@@ -106,7 +106,7 @@ impl<L: Lanes> Local<L> {
 
     /// The number of voxel `at`, which must lie in the grid.
     #[inline(always)]
-    pub fn number(&self, l: L, course: &Course<L>, at: L::I32) -> u32 {
+    pub fn number(&self, l: L, course: &Course<'_, L>, at: L::I32) -> u32 {
         // Where the axis is mirrored !at + n is n - 1 - at.
         let [x, y, z, _] = l.array(l.add(l.xor(at, course.down), self.back)).map(|x| x as u32);
         let rows = z.wrapping_mul(self.plane).wrapping_add(y.wrapping_mul(self.nx));

@@ -35,15 +35,11 @@ pub(super) struct Moved<L: Lanes> {
 pub(super) fn rebase<L: Lanes>(
     l: L,
     grid: &Grid,
-    course: &Course<L>,
+    course: &Course<'_, L>,
     t0: f64,
     t1: f64,
 ) -> Option<Moved<L>> {
-    let three = |v: L::F64| {
-        let [x, y, z, _] = l.array_f64(v);
-        DVec3::new(x, y, z)
-    };
-    let (org, dir) = (three(course.org), three(course.dir));
+    let [org, dir] = course.exact().map(DVec3::from_array);
     let lo = DVec3::from_array(grid.lo);
     let cell = DVec3::from_array(grid.cell.map(f64::from));
     let (reach, extent) = (cell * REACH, cell * DVec3::from_array(grid.n.map(f64::from)));
@@ -76,7 +72,9 @@ pub(super) fn rebase<L: Lanes>(
 fn entry(extent: DVec3, o: DVec3, dir: DVec3) -> f64 {
     let mut near = f64::NEG_INFINITY;
     for k in 0..3 {
-        near = near.max((-o[k] / dir[k]).min((extent[k] - o[k]) / dir[k]));
+        if dir[k] != 0.0 {
+            near = near.max((-o[k] / dir[k]).min((extent[k] - o[k]) / dir[k]));
+        }
     }
     near
 }

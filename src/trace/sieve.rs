@@ -53,7 +53,9 @@ const ORDER: [[i32; 4]; 8] = {
 fn range<L: Lanes>(l: L, start: f32, dir: f32, limit: f32) -> [L::Wide; 2] {
     let end = limit * dir;
     let (lo, hi) = if dir > 0.0 { (start, end) } else { (end, start) };
-    let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + f32::MIN_POSITIVE;
+    // A t next to zero may have been rounded by up to half the least denormal.
+    let least = f32::MIN_POSITIVE + dir.abs() * f32::MIN_POSITIVE;
+    let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + least;
     [l.splat_wide(lo - room(lo)), l.splat_wide(hi + room(hi))]
 }
 
@@ -117,11 +119,8 @@ impl<'a, L: Lanes> Sieve<'a, L> {
             l.columns(|i| y.row(rows[i])),
             l.columns(|i| z.row(rows[i])),
         );
-        let (a, b, c) = (
-            self.shear([xa, ya, za]),
-            self.shear([xb, yb, zb]),
-            self.shear([xc, yc, zc]),
-        );
+        let (a, b, c) =
+            (self.shear([xa, ya, za]), self.shear([xb, yb, zb]), self.shear([xc, yc, zc]));
         let ab = l.cross_wide(a.x, b.y, a.y, b.x);
         let bc = l.cross_wide(b.x, c.y, b.y, c.x);
         let ca = l.cross_wide(c.x, a.y, c.y, a.x);

@@ -41,7 +41,7 @@ pub(crate) struct Walk<'a, Q, C, L: Lanes> {
     sections: Sections<'a>,
     ray: &'a Ray,
     sieve: Sieve<'a, L>,
-    course: Course<L>,
+    course: Course<'a, L>,
     /// Triangles that were decided lately, by the low bits of their numbers: what is
     /// in many voxels is decided once.
     decided: [u32; DECIDED],

@@ -112,13 +112,6 @@ macro_rules! four_lanes {
             })
         }
         #[inline(always)]
-        fn array_f64(self, a: __m256d) -> [f64; 4] {
-            let mut out = [0.0; 4];
-            with!(_mm256_storeu_pd(out.as_mut_ptr(), a));
-            out
-        }
-
-        #[inline(always)]
         fn load_f32(self, a: &[f32; 4]) -> __m128 {
             with!(_mm_loadu_ps(a.as_ptr()))
         }
@@ -178,12 +171,6 @@ macro_rules! four_lanes {
             with!(_mm_andnot_ps(_mm_set1_ps(-0.0), a))
         }
         #[inline(always)]
-        fn array_f32(self, a: __m128) -> [f32; 4] {
-            let mut out = [0.0; 4];
-            with!(_mm_storeu_ps(out.as_mut_ptr(), a));
-            out
-        }
-        #[inline(always)]
         fn lowest(self, a: __m128) -> __m128 {
             // As integers, which takes a quarter of the time.
             with!({
@@ -216,13 +203,6 @@ macro_rules! four_lanes {
         #[inline(always)]
         fn equals(self, a: __m128, b: __m128) -> u32 {
             with!(_mm_movemask_ps(_mm_cmpeq_ps(a, b))) as u32 & 7
-        }
-        #[inline(always)]
-        fn finite3(self, a: __m128) -> bool {
-            with!({
-                let size = _mm_andnot_ps(_mm_set1_ps(-0.0), a);
-                _mm_movemask_ps(_mm_cmplt_ps(size, _mm_set1_ps(f32::INFINITY))) & 7 == 7
-            })
         }
 
         #[inline(always)]
