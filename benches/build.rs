@@ -7,8 +7,7 @@ use common::cpu_time::CpuTime;
 use common::kind::Kind;
 use common::load::{self, Loaded};
 use common::{args, machine, named};
-use criterion::{BenchmarkId, Criterion, Throughput};
-use hug::Scene;
+use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -26,6 +25,7 @@ fn run() -> Result<(), String> {
     let mut criterion = Criterion::default()
         .with_measurement(CpuTime)
         .sample_size(10)
+        .nresamples(10_000)
         .warm_up_time(Duration::from_millis(300))
         .measurement_time(Duration::from_secs(2))
         .configure_from_args();
@@ -33,11 +33,10 @@ fn run() -> Result<(), String> {
     for name in scenes()? {
         let scene = Loaded::new(&name)?;
         let mut group = criterion.benchmark_group(format!("build/{}", scene.name));
+        group.sampling_mode(SamplingMode::Flat);
         group.throughput(Throughput::Elements(scene.mesh.indices.len() as u64));
         for kind in Kind::ALL {
-            // A build that fails should say so before it is timed.
-            scene.build(&kind.options())?;
-            let build = || Scene::build(&scene.soup(), &kind.options());
+            let build = || scene.build(&kind.options()).unwrap_or_else(|error| panic!("{error}"));
             let id = BenchmarkId::from_parameter(kind.name());
             group.bench_function(id, |bencher| bencher.iter_with_large_drop(build));
         }

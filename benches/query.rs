@@ -49,6 +49,7 @@ fn run() -> Result<(), String> {
     let mut criterion = Criterion::default()
         .with_measurement(CpuTime)
         .sample_size(10)
+        .nresamples(10_000)
         .warm_up_time(Duration::from_millis(50))
         .measurement_time(Duration::from_millis(300))
         .configure_from_args();
