@@ -85,10 +85,10 @@ fn run(args: &Args) -> Result<(), String> {
     for name in scenes(args)? {
         eprintln!("{name}");
         let scene = Loaded::new(&name)?;
+        let camera = scene.view(args.view.as_deref())?;
         let built = builds::run(&scene, args)?;
         report::scene(&scene, args.build_rounds);
         report::builds(&built, scene.mesh.indices.len());
-        let camera = scene.view(args.view.as_deref())?;
         let rays = RaySets::new(&built.hug[0].scene.view(), &scene.bounds, &camera, args.size);
         let mut contests = Vec::new();
         for &set in &args.rays {
