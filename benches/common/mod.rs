@@ -1,0 +1,20 @@
+//! What the benchmark programs share; each uses a part of it.
+#![allow(dead_code)]
+
+#[cfg(feature = "capi")]
+pub mod abi;
+pub mod args;
+pub mod cameras;
+pub mod clock;
+pub mod cpu_time;
+pub mod figures;
+pub mod fit;
+pub mod instructions;
+pub mod kind;
+pub mod load;
+pub mod machine;
+pub mod named;
+pub mod ply;
+pub mod ray_sets;
+pub mod rounds;
+pub mod table;
