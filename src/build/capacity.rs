@@ -68,12 +68,12 @@ impl Capacity {
             voxels: if none { 0 } else { whole(outer + inner) },
             refs: if none { 0 } else { whole(refs) },
             links: if none { 0 } else { whole(links) },
-            // A grid of n voxels takes up to 8 n, large ones little more than n;
-            // where it does not fit, the grid goes without exit boxes.
+            // A grid of n voxels takes n / 8 words and its largest plane twice over,
+            // flat ones 2 n; where it does not fit, the grid goes without exit boxes.
             table: if none || !options.exit_boxes {
                 0
             } else {
-                whole(2.0 * (outer + inner) + 64.0)
+                whole(1.5 * outer.max(inner) + 256.0)
             },
         }
     }
@@ -92,7 +92,7 @@ impl Capacity {
             (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
             (self.links, size_of::<[u32; 2]>()),
             (self.voxels, size_of::<Span>()),
-            (self.table, 4),
+            (self.table, 8),
             (self.refs, 4),
         ];
         // Room to align each slice.
