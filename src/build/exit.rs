@@ -7,12 +7,13 @@
 //! irregular grids (Perard-Gayot, Kalojanov & Slusallek 2017). Boxes are grown
 //! inside one grid only, greedily: the largest empty cube, then slabs in each of
 //! the six directions. An empty voxel takes the box of a neighbour if that leaves
-//! it as much room on every side as its cube would: most do, so that growing,
-//! which costs a few hundred instructions, is rare.
+//! it as much room on every side as its cube would, one with a list that of a
+//! neighbour with the same list: most do, so that growing, which costs hundreds of
+//! instructions, is rare.
 
 use super::clearance::Clearance;
 use super::draft::{Draft, Span};
-use super::grow::{Block, Grower};
+use super::grow::Grower;
 use super::reach::Reach;
 use crate::arena::layout::Grid;
 
@@ -62,24 +63,26 @@ fn row(
     let (before, here) = plane.split_at_mut(y * nx);
     let before = before.len().checked_sub(nx).map(|at| &before[at..]);
     let start = grower.clearance.index([0, y, z]);
+    let index = (z * grower.n[1] + y) * nx;
     let mut last = Reach::NONE;
     for (x, (span, word)) in spans.iter().zip(words).enumerate() {
-        let room = grower.clearance.at(start + x);
+        let room = usize::from(grower.clearance.at(start + x));
         let at = [x, y, z];
         last = if room > 0 {
             let shared = (last.next::<0>(room))
                 .or_else(|| before.and_then(|b| b[x].next::<1>(room)))
                 .or_else(|| here[x].next::<2>(room));
-            let reach = shared.unwrap_or_else(|| {
-                Reach::new(&grower.empty(at, usize::from(room) - 1), at, grower.n)
-            });
-            *word = reach.encode();
-            reach
+            shared.unwrap_or_else(|| Reach::new(&grower.empty(at, room - 1), at, grower.n, false))
+        } else if span.count <= LONG {
+            let same = |before: usize| grower.same_list(*span, index + x - before);
+            let shared = (last.next_listed::<0>().filter(|_| same(1)))
+                .or_else(|| before.and_then(|b| b[x].next_listed::<1>()).filter(|_| same(nx)))
+                .or_else(|| here[x].next_listed::<2>().filter(|_| same(nx * grower.n[1])));
+            shared.unwrap_or_else(|| Reach::new(&grower.listed(at, *span), at, grower.n, true))
         } else {
-            let block = if span.count <= LONG { grower.listed(at, *span) } else { Block::one(at) };
-            *word = block.encode(at);
             Reach::NONE
         };
+        *word = last.encode();
         here[x] = last;
     }
 }

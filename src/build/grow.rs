@@ -2,7 +2,7 @@
 
 use super::clearance::Clearance;
 use super::draft::{Draft, Span};
-use crate::arena::layout::{EXIT_BITS, EXIT_MAX};
+use crate::arena::layout::EXIT_MAX;
 
 /// Reach that a voxel with a list may grow to.
 const LISTED_MAX: usize = 7;
@@ -17,15 +17,6 @@ pub struct Block {
 impl Block {
     pub fn one(at: [usize; 3]) -> Self {
         Self { lo: at, hi: at.map(|x| x + 1) }
-    }
-
-    pub fn encode(&self, at: [usize; 3]) -> u32 {
-        let mut word = 0;
-        for k in (0..3).rev() {
-            let (down, up) = (at[k] - self.lo[k], self.hi[k] - 1 - at[k]);
-            word = word << (2 * EXIT_BITS) | (up << EXIT_BITS | down) as u32;
-        }
-        word
     }
 }
 
@@ -59,6 +50,12 @@ impl Grower<'_> {
     pub fn listed(&self, at: [usize; 3], span: Span) -> Block {
         let own = self.draft.list(span);
         self.expand(Block::one(at), at, LISTED_MAX, |layer| self.adds_nothing(layer, own))
+    }
+
+    /// Whether the voxel of this number refers to just what `span` does.
+    pub fn same_list(&self, span: Span, voxel: usize) -> bool {
+        let other = self.spans[voxel];
+        other.count == span.count && self.draft.list(other) == self.draft.list(span)
     }
 
     /// Moves the faces outward in turns, by as many layers as `open` says can be
