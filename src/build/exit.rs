@@ -7,9 +7,8 @@
 //! irregular grids (Perard-Gayot, Kalojanov & Slusallek 2017). Boxes are grown
 //! inside one grid only, greedily: the largest empty cube, then slabs in each of
 //! the six directions. An empty voxel takes the box of a neighbour if that leaves
-//! it as much room on every side as its cube would, one with a list that of a
-//! neighbour with the same list: most do, so that growing, which costs hundreds of
-//! instructions, is rare.
+//! it as much room on every side as its cube would, as nine of ten do; one with a
+//! list takes that of a neighbour that refers to nothing else, if it goes on.
 
 use super::clearance::Clearance;
 use super::draft::{Draft, Span};
@@ -74,10 +73,10 @@ fn row(
                 .or_else(|| here[x].next::<2>(room));
             shared.unwrap_or_else(|| Reach::new(&grower.empty(at, room - 1), at, grower.n, false))
         } else if span.count <= LONG {
-            let same = |before: usize| grower.same_list(*span, index + x - before);
-            let shared = (last.next_listed::<0>().filter(|_| same(1)))
-                .or_else(|| before.and_then(|b| b[x].next_listed::<1>()).filter(|_| same(nx)))
-                .or_else(|| here[x].next_listed::<2>().filter(|_| same(nx * grower.n[1])));
+            let fits = |before: usize| grower.adds_nothing(index + x - before, *span);
+            let shared = (last.next_listed::<0>().filter(|_| fits(1)))
+                .or_else(|| before.and_then(|b| b[x].next_listed::<1>()).filter(|_| fits(nx)))
+                .or_else(|| here[x].next_listed::<2>().filter(|_| fits(nx * grower.n[1])));
             shared.unwrap_or_else(|| Reach::new(&grower.listed(at, *span), at, grower.n, true))
         } else {
             Reach::NONE

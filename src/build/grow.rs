@@ -14,12 +14,6 @@ pub struct Block {
     pub hi: [usize; 3],
 }
 
-impl Block {
-    pub fn one(at: [usize; 3]) -> Self {
-        Self { lo: at, hi: at.map(|x| x + 1) }
-    }
-}
-
 /// A grid whose voxels' boxes are grown.
 pub struct Grower<'a> {
     pub n: [usize; 3],
@@ -28,97 +22,134 @@ pub struct Grower<'a> {
     pub clearance: &'a Clearance<'a>,
 }
 
-/// The voxels behind one face of a block, a rectangle along two axes.
-struct Layer {
-    /// The rectangle's lowest voxel, and its sides along both axes.
-    at: [usize; 3],
-    axes: [usize; 2],
-    sides: [usize; 2],
+/// A block that grows.
+struct Growth<'a> {
+    block: Block,
+    /// How far each face may still move: -x, +x, -y and so on.
+    left: [usize; 6],
+    /// The lowest voxel's number, and its place in the clearances.
+    voxel: usize,
+    index: usize,
+    /// From a voxel to the next along each axis, in numbers and in places.
+    strides: [usize; 3],
+    steps: [usize; 3],
+    clearance: &'a Clearance<'a>,
 }
 
-impl Grower<'_> {
+impl<'a> Grower<'a> {
     /// The box of an empty voxel with a cube of this reach around it.
     pub fn empty(&self, at: [usize; 3], radius: usize) -> Block {
-        let block = Block {
-            lo: at.map(|x| x.saturating_sub(radius)),
-            hi: core::array::from_fn(|k| (at[k] + radius + 1).min(self.n[k])),
-        };
-        self.expand(block, at, EXIT_MAX as usize, |layer| self.clear(layer))
+        let mut growth = self.start(at, radius, EXIT_MAX as usize);
+        growth.expand(|_| false);
+        growth.block
     }
 
     /// The box of a voxel with a list.
     pub fn listed(&self, at: [usize; 3], span: Span) -> Block {
         let own = self.draft.list(span);
-        self.expand(Block::one(at), at, LISTED_MAX, |layer| self.adds_nothing(layer, own))
+        let mut growth = self.start(at, 0, LISTED_MAX);
+        growth.expand(|voxel| {
+            let span = self.spans[voxel];
+            span.count as usize <= own.len() && subset(self.draft.list(span), own)
+        });
+        growth.block
     }
 
-    /// Whether the voxel of this number refers to just what `span` does.
-    pub fn same_list(&self, span: Span, voxel: usize) -> bool {
+    /// Whether the voxel of this number refers to nothing that `span` does not.
+    pub fn adds_nothing(&self, voxel: usize, span: Span) -> bool {
         let other = self.spans[voxel];
-        other.count == span.count && self.draft.list(other) == self.draft.list(span)
+        other.count <= span.count && subset(self.draft.list(other), self.draft.list(span))
     }
 
-    /// Moves the faces outward in turns, by as many layers as `open` says can be
-    /// had, but at first by one, then two, four: no direction starves another. A
-    /// face that was stopped stays so, for its layers only grow.
-    #[inline(always)]
-    fn expand(
-        &self,
-        mut block: Block,
-        at: [usize; 3],
-        most: usize,
-        open: impl Fn(&Layer) -> usize,
-    ) -> Block {
-        let (mut moving, mut step) = (0x3fu32, 1);
-        while moving != 0 {
-            let mut left = moving;
-            while left != 0 {
-                let face = left.trailing_zeros() as usize;
-                left &= left - 1;
-                let (k, up) = (face / 2, face % 2 == 1);
-                let (lo, hi) = (block.lo[k], block.hi[k]);
-                let room = if up {
-                    (self.n[k] - hi).min(at[k] + 1 + most - hi)
-                } else {
-                    lo.min(most - (at[k] - lo))
-                };
-                let by = if room == 0 {
-                    0
-                } else {
-                    let axes = [if k == 0 { 1 } else { 0 }, if k == 2 { 1 } else { 2 }];
-                    let mut layer = Layer {
-                        at: block.lo,
-                        axes,
-                        sides: axes.map(|axis| block.hi[axis] - block.lo[axis]),
-                    };
-                    layer.at[k] = if up { hi } else { lo - 1 };
-                    room.min(step).min(open(&layer))
-                };
-                if by == 0 {
-                    moving &= !(1 << face);
-                } else if up {
-                    block.hi[k] = hi + by;
-                } else {
-                    block.lo[k] = lo - by;
-                }
+    fn start(&self, at: [usize; 3], radius: usize, most: usize) -> Growth<'a> {
+        let lo = at.map(|x| x.saturating_sub(radius));
+        let hi = core::array::from_fn(|k| (at[k] + radius + 1).min(self.n[k]));
+        let left = core::array::from_fn(|face| {
+            let k = face / 2;
+            if face % 2 == 0 {
+                lo[k].min(most + lo[k] - at[k])
+            } else {
+                (self.n[k] - hi[k]).min(at[k] + 1 + most - hi[k])
             }
+        });
+        let strides = [1, self.n[0], self.n[0] * self.n[1]];
+        Growth {
+            block: Block { lo, hi },
+            left,
+            voxel: lo[0] + lo[1] * strides[1] + lo[2] * strides[2],
+            index: self.clearance.index(lo),
+            strides,
+            steps: [1, self.clearance.row, self.clearance.plane],
+            clearance: self.clearance,
+        }
+    }
+}
+
+impl Growth<'_> {
+    /// Moves the faces outward in turns, as far as is certainly free, but at first
+    /// by one layer, then two, four: no direction starves another. A face that was
+    /// stopped stays so, for its layers only grow. `harmless`: whether a voxel that
+    /// refers to something may be in the block.
+    #[inline(always)]
+    fn expand(&mut self, harmless: impl Fn(usize) -> bool) {
+        let mut step = 1;
+        while self.left != [0; 6] {
+            self.push::<0>(step, &harmless);
+            self.push::<1>(step, &harmless);
+            self.push::<2>(step, &harmless);
+            self.push::<3>(step, &harmless);
+            self.push::<4>(step, &harmless);
+            self.push::<5>(step, &harmless);
             step *= 2;
         }
-        block
     }
 
-    /// How many layers, this one and those behind it, are certainly empty: empty
-    /// cubes around some of its voxels cover it.
-    fn clear(&self, layer: &Layer) -> usize {
-        let strides = layer.axes.map(|k| [1, self.clearance.row, self.clearance.plane][k]);
+    #[inline(always)]
+    fn push<const FACE: usize>(&mut self, step: usize, harmless: &impl Fn(usize) -> bool) {
+        if self.left[FACE] == 0 {
+            return;
+        }
+        let (k, up) = (FACE / 2, FACE % 2 == 1);
+        let layers = if up { self.block.hi[k] - self.block.lo[k] } else { 0 };
+        let (index, voxel) = (
+            self.index + layers * self.steps[k] - usize::from(!up) * self.steps[k],
+            self.voxel + layers * self.strides[k] - usize::from(!up) * self.strides[k],
+        );
+        let by = self.free(k, index, voxel, harmless).min(step).min(self.left[FACE]);
+        self.left[FACE] = if by == 0 { 0 } else { self.left[FACE] - by };
+        if up {
+            self.block.hi[k] += by;
+        } else {
+            self.block.lo[k] -= by;
+            self.index -= by * self.steps[k];
+            self.voxel -= by * self.strides[k];
+        }
+    }
+
+    /// How many layers, the one behind a face and those behind that, are certainly
+    /// free: empty cubes around some of the layer's voxels cover it. `index` and
+    /// `voxel`: its lowest voxel.
+    #[inline(always)]
+    fn free(
+        &self,
+        k: usize,
+        index: usize,
+        voxel: usize,
+        harmless: &impl Fn(usize) -> bool,
+    ) -> usize {
+        let [a, b] = [if k == 0 { 1 } else { 0 }, if k == 2 { 1 } else { 2 }];
+        let sides = [a, b].map(|axis| self.block.hi[axis] - self.block.lo[axis]);
         let (mut depth, mut j) = (usize::MAX, 0);
-        let start = self.clearance.index(layer.at);
-        while j < layer.sides[1] {
+        while j < sides[1] {
             let (mut least, mut i) = (usize::MAX, 0);
-            while i < layer.sides[0] {
-                let room = usize::from(self.clearance.at(start + i * strides[0] + j * strides[1]));
+            while i < sides[0] {
+                let mut room =
+                    usize::from(self.clearance.at(index + i * self.steps[a] + j * self.steps[b]));
                 if room == 0 {
-                    return 0;
+                    if !harmless(voxel + i * self.strides[a] + j * self.strides[b]) {
+                        return 0;
+                    }
+                    room = 1;
                 }
                 least = least.min(room);
                 i += room;
@@ -128,35 +159,11 @@ impl Grower<'_> {
         }
         depth
     }
-
-    /// 1 if every voxel of a layer refers only to what `own` refers to, else 0.
-    fn adds_nothing(&self, layer: &Layer, own: &[u32]) -> usize {
-        let strides = layer.axes.map(|k| [1, self.n[0], self.n[0] * self.n[1]][k]);
-        let steps = layer.axes.map(|k| [1, self.clearance.row, self.clearance.plane][k]);
-        let first = layer.at[0] + self.n[0] * (layer.at[1] + self.n[1] * layer.at[2]);
-        let start = self.clearance.index(layer.at);
-        let mut j = 0;
-        while j < layer.sides[1] {
-            let (mut least, mut i) = (usize::MAX, 0);
-            while i < layer.sides[0] {
-                let room = usize::from(self.clearance.at(start + i * steps[0] + j * steps[1]));
-                if room == 0 {
-                    let span = self.spans[first + i * strides[0] + j * strides[1]];
-                    if !subset(self.draft.list(span), own) {
-                        return 0;
-                    }
-                }
-                least = least.min(room.max(1));
-                i += room.max(1);
-            }
-            j += least;
-        }
-        1
-    }
 }
 
 /// Whether ascending `a` has nothing that ascending `b` lacks.
+#[inline(always)]
 fn subset(a: &[u32], b: &[u32]) -> bool {
-    let mut b = b.iter();
-    a.len() <= b.len() && a.iter().all(|x| b.any(|y| x == y))
+    let mut rest = b.iter();
+    a.iter().all(|&x| rest.by_ref().find(|&&y| y >= x) == Some(&x))
 }

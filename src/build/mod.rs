@@ -13,6 +13,7 @@ mod draft;
 mod exit;
 mod filter;
 mod flatten;
+mod footprint;
 mod frame;
 mod gather;
 mod grow;

@@ -8,11 +8,12 @@
 //! magnitudes involved, so a voxel is never left out, at any scale; one too
 //! many is harmless.
 
+use super::footprint::Small;
 use crate::aabb::Aabb;
 use crate::arena::layout::{Grid, Triangle};
 
 /// Growth of a voxel on each side, in voxels.
-const PAD: f64 = 1.0 / 1024.0;
+pub const PAD: f64 = 1.0 / 1024.0;
 /// Bounds the rounding of the tests below with room to spare (2^-53 each, at
 /// most a dozen in a row).
 const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
@@ -78,9 +79,6 @@ impl Range {
 /// passes if `a i + b j <= c` for every edge.
 struct Edges([[f64; 3]; 3]);
 
-/// The axes of the coordinate planes, by the axis across.
-const PLANES: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
-
 impl Edges {
     /// `q`: the triangle's corners in units of voxels; `i`, `j`: the plane's axes.
     #[inline(always)]
@@ -122,22 +120,20 @@ pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(
     let q = triangle
         .corners()
         .map(|p| core::array::from_fn(|k| (f64::from(p[k]) - grid.lo[k]) * grid.inv_cell[k]));
+    // In a single layer the projection onto it tells all.
+    let single = (wide != 7 && thin | wide == 7).then(|| thin.trailing_zeros() as usize);
+    if let Some(small) = Small::new(&q, &range) {
+        match single {
+            Some(k) => small.layer(k, &range, grid, visit),
+            None => small.block(&range, grid, visit),
+        }
+        return range.rows();
+    }
     let far = q.as_flattened().iter().fold(2048.0f64, |m, x| m.max(x.abs()));
     let (e0, e1) = (edge(&q[0], &q[1]), edge(&q[0], &q[2]));
     let longest = e0.iter().chain(&e1).fold(1.0f64, |m, x| m.max(x.abs()));
     let error = ROUNDING * far * longest * 4.0;
-    // In a single layer the projection onto it tells all.
-    if thin | wide == 7 && wide != 7 {
-        layer(
-            &Edges::new(&q, PLANES[thin.trailing_zeros() as usize], error),
-            thin,
-            &range,
-            grid,
-            visit,
-        );
-        return range.rows();
-    }
-    let edges = PLANES.map(|plane| Edges::new(&q, plane, error));
+    let edges = [(1, 2), (2, 0), (0, 1)].map(|plane| Edges::new(&q, plane, error));
     let normal = [
         e0[1] * e1[2] - e0[2] * e1[1],
         e0[2] * e1[0] - e0[0] * e1[2],
@@ -171,22 +167,6 @@ pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(
         }
     }
     range.rows()
-}
-
-/// [`voxels`] of a triangle in a single layer across axis `thin`, a bit.
-#[inline(always)]
-fn layer(edges: &Edges, thin: u32, range: &Range, grid: &Grid, mut visit: impl FnMut(usize)) {
-    let (i, j) = PLANES[thin.trailing_zeros() as usize];
-    let strides = [1, grid.n[0] as usize, grid.n[0] as usize * grid.n[1] as usize];
-    let first: usize = (0..3).map(|k| range.lo[k] as usize * strides[k]).sum();
-    for b in range.lo[j]..=range.hi[j] {
-        for a in range.lo[i]..=range.hi[i] {
-            if edges.pass(a, b) {
-                let from = |k: usize, x: u32| (x - range.lo[k]) as usize * strides[k];
-                visit(first + from(i, a) + from(j, b));
-            }
-        }
-    }
 }
 
 fn edge(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
