@@ -4,8 +4,12 @@
 //! to them, so that what a ray meets together lies together.
 
 use super::draft::{Draft, Span};
+<<<<<<< HEAD
 use super::exit::Exits;
 use super::frame::{self, unit};
+=======
+use super::exit::exits;
+>>>>>>> build
 use crate::Error;
 use crate::arena::layout::{
     ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
@@ -23,7 +27,7 @@ pub struct Plan<'s> {
     pub(super) numbers: &'s mut [u32],
     /// Whether voxels get exit boxes, and room for the sums that takes.
     pub(super) exits: bool,
-    pub(super) table: &'s mut [u32],
+    pub(super) table: &'s mut [u64],
     pub(super) sections: [Section; 4],
     pub(super) bytes: usize,
 }
@@ -34,7 +38,7 @@ impl<'s> Plan<'s> {
         structure: Structure,
         exits: bool,
         numbers: &'s mut [u32],
-        table: &'s mut [u32],
+        table: &'s mut [u64],
     ) -> Result<Self, Error> {
         let grids = draft.grids();
         let voxels: u64 = grids.iter().map(frame::Grid::voxels).sum();
@@ -72,7 +76,6 @@ impl<'s> Plan<'s> {
             return Err(Error::Alignment);
         }
         let arena = arena.get_mut(..self.bytes).ok_or(Error::BufferTooSmall)?;
-        arena.fill(0);
         let (head, mut rest) = arena.split_at_mut(size_of::<Header>());
         let head: &mut Header = bytemuck::from_bytes_mut(head);
         *head = self.header();
@@ -84,6 +87,8 @@ impl<'s> Plan<'s> {
             rest = tail;
             let skip = offset as usize - at;
             at = offset as usize + count as usize * record;
+            // Nothing of what was there before stays between the sections.
+            part[..skip].fill(0);
             &mut part[skip..]
         };
         let grids: &mut [Grid] = bytemuck::cast_slice_mut(section(0, size_of::<Grid>()));
@@ -91,6 +96,7 @@ impl<'s> Plan<'s> {
         let refs: &mut [u32] = bytemuck::cast_slice_mut(section(2, 4));
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
+        rest.fill(0);
         renumber(&self.draft, self.numbers, triangles);
         let table = if self.exits { &mut *self.table } else { &mut [] };
         flatten(&self.draft, self.numbers, table, grids, voxels, refs);
@@ -159,7 +165,7 @@ fn renumber(draft: &Draft<'_>, numbers: &mut [u32], triangles: &mut [Triangle]) 
 fn flatten(
     draft: &Draft<'_>,
     numbers: &[u32],
-    table: &mut [u32],
+    table: &mut [u64],
     grids: &mut [Grid],
     voxels: &mut [u32],
     refs: &mut [u32],
@@ -167,25 +173,25 @@ fn flatten(
     let (mut first, mut end) = (0, 0);
     let unit = unit(&draft.soup.bounds);
     for (grid, from) in grids.iter_mut().zip(draft.grids()) {
+<<<<<<< HEAD
         *grid = frame::Grid { first: first as u32, ..*from }.record(unit);
         let exits = Exits::new(from, draft, table);
         let mut radius = 0;
         let [nx, ny, nz] = from.n;
         let cells =
             (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
+=======
+        *grid = Grid { first: first as u32, ..*from };
+>>>>>>> build
         let spans = draft.spans(from);
         let words = &mut voxels[first..first + spans.len()];
-        for ((at, &span), word) in cells.zip(spans).zip(words) {
-            if at[0] == 0 {
-                radius = 0;
-            }
-            let mut exit = || exits.as_ref().map_or(0, |e| e.grow(at, span, &mut radius));
+        exits(from, draft, table, words);
+        for (&span, word) in spans.iter().zip(words) {
             *word = match draft.list(span) {
-                [] => EMPTY << TAG_SHIFT | exit(),
+                [] => EMPTY << TAG_SHIFT | *word,
                 [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
                 list => {
-                    let place = LIST << TAG_SHIFT | end as u32;
-                    refs[end] = exit();
+                    refs[end] = *word;
                     refs[end + 1] = span.count;
                     let to = &mut refs[end + LIST_HEAD..][..list.len()];
                     for (to, &object) in to.iter_mut().zip(list) {
@@ -193,6 +199,7 @@ fn flatten(
                         *to = if triangle { numbers[object as usize] } else { object };
                     }
                     to.sort_unstable();
+                    let place = LIST << TAG_SHIFT | end as u32;
                     end += LIST_HEAD + list.len();
                     place
                 }

@@ -4,7 +4,7 @@
 //! inside by more than the walk's error (`trace::local`), and by 2^-32 of the
 //! largest coordinate so that flat ones have a size. A cell is then never
 //! smaller than 2^-35 of a coordinate. A voxel that becomes a grid of its own is
-//! grown by 2^-9, the bound of the walk's error in the grid above.
+//! grown by 2^-10 of it, the bound of the walk's error in the grid above.
 
 use crate::aabb::Aabb;
 use crate::arena::layout;
@@ -13,7 +13,7 @@ use crate::options::{Gridding, MAX_COUNT};
 use bytemuck::{Pod, Zeroable};
 
 /// Growth of a voxel's box, in voxels, before it becomes a grid of its own.
-const VOXEL_MARGIN: f64 = 1.0 / 512.0;
+const VOXEL_MARGIN: f64 = 1.0 / 1024.0;
 
 /// A grid while it is built: the arena's record in the scene's coordinates and in
 /// full precision.

@@ -7,11 +7,12 @@
 //! Error bound. Let n be the grid's largest count, at most 2^11, and e = 2^-24.
 //! In `f64`, `org - lo` and what is computed from it is off by less than
 //! 2^-14 voxels: the build keeps `cell >= 2^-35 |lo|`, and origins more than 2^36
-//! voxels away are moved first (`rebase`). In `f32`, numbers up to n are rounded nine times on the
-//! way to a plane's parameter (place, speed twice, pace, product, sum) and five times to the place there, each by at most n e; at s the ray is
-//! thus within `18 n e <= 2^-9.8` of a voxel of the voxel that the walk is in.
-//! Footprints, and grids that cover a voxel, are padded by `2^-9` (`build::overlap`,
-//! `build::frame`).
+//! voxels away are moved first (`rebase`). In `f32`, a plane is off by the rounding
+//! of the place (n e / 2), of its product with the pace (n e), of the pace (three
+//! times n e) and of the sum (n e); the voxel at s by that of the place twice and of
+//! the speed (twice n e). At s the ray is thus within `5.5 n e + 2^-14`, less than
+//! `2^-10`, of the voxel that the walk is in. Footprints, and grids that cover a voxel,
+//! are padded by `2^-10` (`build::overlap`, `build::frame`).
 //!
 //! The computed parameters, whatever their error, partition the line without gaps:
 //! a hit at t is found in the voxel whose interval contains t, so the walk's end
