@@ -12,14 +12,9 @@
 
 use super::clearance::Clearance;
 use super::draft::{Draft, Span};
-<<<<<<< HEAD
 use super::frame::Grid;
-use crate::arena::layout::{EXIT_BITS, EXIT_MAX};
-=======
 use super::grow::Grower;
 use super::reach::Reach;
-use super::frame::Grid;
->>>>>>> build
 
 /// A voxel with a longer list keeps to itself: comparing lists costs more than
 /// the step it saves.

@@ -4,12 +4,8 @@
 //! to them, so that what a ray meets together lies together.
 
 use super::draft::{Draft, Span};
-<<<<<<< HEAD
-use super::exit::Exits;
-use super::frame::{self, unit};
-=======
 use super::exit::exits;
->>>>>>> build
+use super::frame::{self, unit};
 use crate::Error;
 use crate::arena::layout::{
     ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
@@ -173,16 +169,7 @@ fn flatten(
     let (mut first, mut end) = (0, 0);
     let unit = unit(&draft.soup.bounds);
     for (grid, from) in grids.iter_mut().zip(draft.grids()) {
-<<<<<<< HEAD
         *grid = frame::Grid { first: first as u32, ..*from }.record(unit);
-        let exits = Exits::new(from, draft, table);
-        let mut radius = 0;
-        let [nx, ny, nz] = from.n;
-        let cells =
-            (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
-=======
-        *grid = Grid { first: first as u32, ..*from };
->>>>>>> build
         let spans = draft.spans(from);
         let words = &mut voxels[first..first + spans.len()];
         exits(from, draft, table, words);

@@ -9,8 +9,8 @@
 
 use glam::{Vec3A, Vec4};
 
-use super::overlap::{PAD, Range};
 use super::frame::Grid;
+use super::overlap::{PAD, Range};
 
 /// Growth of a voxel on each side, in voxels.
 const GROWN: f32 = PAD as f32 * 1.125;
