@@ -21,6 +21,9 @@ use crate::simd::Lanes;
 /// their error bounds, stay in the range of `f32`.
 const RANGE: core::ops::Range<f32> = 1e-14..1e14;
 
+/// 2^-100.
+const TINY: f32 = 1.0 / (1u128 << 100) as f32;
+
 /// A ray made ready for sieving triangles.
 #[derive(Clone, Copy)]
 pub struct Sieve<'a, L: Lanes> {
@@ -53,8 +56,9 @@ const ORDER: [[i32; 4]; 8] = {
 fn range<L: Lanes>(l: L, start: f32, dir: f32, limit: f32) -> [L::Wide; 2] {
     let end = limit * dir;
     let (lo, hi) = if dir > 0.0 { (start, end) } else { (end, start) };
-    // A t next to zero may have been rounded by up to half the least denormal.
-    let least = f32::MIN_POSITIVE + dir.abs() * f32::MIN_POSITIVE;
+    // A t next to zero may have been rounded by up to half the least denormal. Not
+    // just that much: processors take long to compute denormals.
+    let least = TINY + dir.abs() * TINY;
     let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + least;
     [l.splat_wide(lo - room(lo)), l.splat_wide(hi + room(hi))]
 }
