@@ -37,16 +37,16 @@ impl Reach {
         Self(bytes)
     }
 
-    /// The same block from the next voxel along axis `K`, if that is in it and
-    /// the block reaches at least `room - 1` from there, or to the border, on all
-    /// sides.
+    /// The same block from the next voxel along axis `K`, if it reaches at least
+    /// `room - 1` from there, or to the border, on all sides, and one more ahead: a
+    /// box of its own is worth its cost where the old one ends.
     #[inline(always)]
     pub fn next<const K: usize>(self, room: usize) -> Option<Self> {
         const HIGH: u64 = 0x80 * ONES;
-        let inside = self.0 >> (16 * K + 8) & 0x7f != 0;
+        let ahead = self.0 >> (16 * K + 8) & 0x7f > room as u64;
         let moved = self.0.wrapping_add(1 << (16 * K)).wrapping_sub(1 << (16 * K + 8));
         let short = !(moved | HIGH).wrapping_sub(ONES * (room as u64 - 1)) & HIGH;
-        (inside && short == 0 && self.0 & LISTED == 0).then_some(Self(moved))
+        (ahead && short == 0 && self.0 & LISTED == 0).then_some(Self(moved))
     }
 
     /// The same block, of a voxel with a list, from the next voxel along axis `K`,
