@@ -1,5 +1,7 @@
 //! The easy door: a scene that owns its arena.
 
+use alloc::vec::Vec;
+
 use crate::arena::View;
 use crate::arena::block::Block;
 use crate::build::{measure, plan};
@@ -20,8 +22,11 @@ impl Scene {
     /// As [`crate::build::plan`]; [`Error::OutOfMemory`].
     pub fn build(soup: &[Geometry<'_>], options: &Options) -> Result<Self, Error> {
         let sizes = measure(soup, options)?;
-        let mut scratch = Block::zeroed(sizes.scratch).ok_or(Error::OutOfMemory)?;
-        let plan = plan(soup, options, scratch.bytes_mut())?;
+        // Not aligned, so that an allocator can hand out zeroed pages as they are:
+        // most of what the bound asks for is never touched.
+        let mut scratch: Vec<u8> =
+            bytemuck::allocation::try_zeroed_vec(sizes.scratch).map_err(|()| Error::OutOfMemory)?;
+        let plan = plan(soup, options, &mut scratch)?;
         let mut arena = Block::zeroed(plan.arena_bytes()).ok_or(Error::OutOfMemory)?;
         plan.write(arena.bytes_mut())?;
         Ok(Self { arena })

@@ -1,7 +1,7 @@
 //! How much memory a build can need: a function of counts alone.
 //!
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
-//! about `97 n + 136 G + 12 L + 16 V + 4 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
+//! about `97 n + 136 G + 12 L + 20 V + 8 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
@@ -29,6 +29,8 @@ pub struct Capacity {
     pub grids: usize,
     pub voxels: usize,
     pub refs: usize,
+    /// Entries of the bucket sort's stream: a grid's references and objects.
+    pub stream: usize,
     /// Pairs of a grid and a grid that points to it.
     pub links: usize,
     /// Entries of the table that exit boxes are grown with.
@@ -68,13 +70,14 @@ impl Capacity {
             grids: if none { 0 } else { whole(grids) },
             voxels: if none { 0 } else { whole(outer + inner) },
             refs: if none { 0 } else { whole(refs) },
+            stream: if none { 0 } else { whole((per_object + 1.0) * (n + links)) },
             links: if none { 0 } else { whole(links) },
-            // A grid of n voxels takes up to 8 n, large ones little more than n;
-            // where it does not fit, the grid goes without exit boxes.
+            // A grid of n voxels takes n / 8 words and its largest plane twice over,
+            // flat ones 2 n; where it does not fit, the grid goes without exit boxes.
             table: if none || !options.exit_boxes {
                 0
             } else {
-                whole(2.0 * (outer + inner) + 64.0)
+                whole(1.5 * outer.max(inner) + 256.0)
             },
         }
     }
@@ -93,8 +96,9 @@ impl Capacity {
             (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
             (self.links, size_of::<[u32; 2]>()),
             (self.voxels, size_of::<Span>()),
-            (self.table, 4),
+            (self.table, 8),
             (self.refs, 4),
+            (self.stream, 4),
         ];
         // Room to align each slice.
         let mut scratch = 64 * 16;

@@ -1,7 +1,8 @@
 //! The structure as it grows: grids, the lists of their voxels, references.
 //!
-//! `fill` is the pass that every structure shares, a bucket sort: count the
-//! objects of each voxel, turn counts into positions, put the objects there.
+//! `fill` is the pass that every structure shares, a bucket sort: note which voxels each
+//! object meets and count the objects of each voxel, turn counts into positions, put the
+//! objects there.
 
 use super::capacity::Capacity;
 use super::frame::Grid;
@@ -35,6 +36,8 @@ pub struct Draft<'s> {
     grid_memory: &'s mut [Grid],
     span_memory: &'s mut [Span],
     ref_memory: &'s mut [u32],
+    /// Room for what the bucket sort finds, see [`sort`].
+    stream: &'s mut [u32],
     grids: usize,
     spans: usize,
     refs: usize,
@@ -61,6 +64,7 @@ impl<'s> Draft<'s> {
             grid_memory: scratch.take(capacity.grids)?,
             span_memory: scratch.take(capacity.voxels)?,
             ref_memory: scratch.take(capacity.refs)?,
+            stream: scratch.take(capacity.stream)?,
             grids: 0,
             spans: 0,
             refs: 0,
@@ -110,7 +114,7 @@ impl<'s> Draft<'s> {
     }
 
     /// Sorts `objects` (ascending: triangles, then grids) into the voxels of a
-    /// grid. Cost: two overlap tests for each reference, plus the voxels.
+    /// grid. Cost: one overlap test for each reference, plus the voxels.
     ///
     /// # Errors
     /// [`Error::Limit`] if the capacity does not suffice.
@@ -125,6 +129,7 @@ impl<'s> Draft<'s> {
             objects,
             (spans, self.spans),
             (refs, self.refs),
+            self.stream,
             self.max_refs,
             crowded,
         )
@@ -149,6 +154,7 @@ impl<'s> Draft<'s> {
             objects,
             (spans, self.spans),
             (refs, self.refs),
+            self.stream,
             self.max_refs,
             Crowded::Coarsen,
         )?;
@@ -175,6 +181,7 @@ fn sort(
     objects: &[u32],
     (spans, first_span): (&mut [Span], usize),
     (refs, first_ref): (&mut [u32], usize),
+    stream: &mut [u32],
     max_refs: u32,
     crowded: Crowded,
 ) -> Result<(usize, usize), Error> {
@@ -187,17 +194,27 @@ fn sort(
         let grid = grids[number];
         let spans = spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
         spans.fill(Span::default());
-        let (mut total, mut rows, mut seen) = (0, 0, 0);
+        let (mut end, mut rows, mut seen) = (0, 0, 0);
         for &object in objects {
+            let head = end;
             rows += each(soup, grids, &grid, object, |voxel| {
                 spans[voxel].count += 1;
-                total += 1;
+                end += 1;
+                // Beyond the end the grid is over its budget.
+                if let Some(entry) = stream.get_mut(end) {
+                    *entry = voxel as u32;
+                }
             });
+            if let Some(entry) = stream.get_mut(head) {
+                *entry = (end - head) as u32;
+            }
+            end += 1;
             seen += 1;
-            if total > budget || rows > work {
+            if end > budget + seen || rows > work {
                 break;
             }
         }
+        let total = end - seen;
         if total > budget || rows > work {
             if crowded == Crowded::Fail || grid.n == [1; 3] {
                 return Err(Error::Limit);
@@ -211,22 +228,28 @@ fn sort(
             }
             continue;
         }
+        if end > stream.len() {
+            return Err(Error::Limit);
+        }
         let refs = refs.get_mut(..total).ok_or(Error::Limit)?;
         let mut start = 0;
         for span in spans.iter_mut() {
-            let count = core::mem::take(&mut span.count);
             span.start = start;
-            start += count;
+            start += span.count;
         }
+        let mut rest = &stream[..end];
         for &object in objects {
-            each(soup, grids, &grid, object, |voxel| {
-                let span = &mut spans[voxel];
-                refs[(span.start + span.count) as usize] = object;
-                span.count += 1;
-            });
+            let Some((&count, tail)) = rest.split_first() else { break };
+            let (voxels, tail) = tail.split_at(count as usize);
+            for &voxel in voxels {
+                let span = &mut spans[voxel as usize];
+                refs[span.start as usize] = object;
+                span.start += 1;
+            }
+            rest = tail;
         }
         for span in spans.iter_mut() {
-            span.start += first_ref as u32;
+            span.start = first_ref as u32 + span.start - span.count;
         }
         return Ok((spans.len(), total));
     }

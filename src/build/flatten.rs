@@ -4,7 +4,7 @@
 //! to them, so that what a ray meets together lies together.
 
 use super::draft::{Draft, Span};
-use super::exit::Exits;
+use super::exit::exits;
 use super::frame::{self, unit};
 use crate::Error;
 use crate::arena::layout::{
@@ -22,7 +22,7 @@ pub struct Plan<'s> {
     pub(super) numbers: &'s mut [u32],
     /// Whether voxels get exit boxes, and room for the sums that takes.
     pub(super) exits: bool,
-    pub(super) table: &'s mut [u32],
+    pub(super) table: &'s mut [u64],
     pub(super) sections: [Section; 4],
     pub(super) bytes: usize,
 }
@@ -33,7 +33,7 @@ impl<'s> Plan<'s> {
         structure: Structure,
         exits: bool,
         numbers: &'s mut [u32],
-        table: &'s mut [u32],
+        table: &'s mut [u64],
     ) -> Result<Self, Error> {
         let grids = draft.grids();
         let voxels: u64 = grids.iter().map(frame::Grid::voxels).sum();
@@ -154,7 +154,7 @@ fn renumber(draft: &Draft<'_>, numbers: &mut [u32], triangles: &mut [Triangle]) 
 fn flatten(
     draft: &Draft<'_>,
     numbers: &[u32],
-    table: &mut [u32],
+    table: &mut [u64],
     grids: &mut [Grid],
     voxels: &mut [u32],
     refs: &mut [u32],
@@ -163,24 +163,15 @@ fn flatten(
     let unit = unit(&draft.soup.bounds);
     for (grid, from) in grids.iter_mut().zip(draft.grids()) {
         *grid = frame::Grid { first: first as u32, ..*from }.record(unit);
-        let exits = Exits::new(from, draft, table);
-        let mut radius = 0;
-        let [nx, ny, nz] = from.n;
-        let cells =
-            (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
         let spans = draft.spans(from);
         let words = &mut voxels[first..first + spans.len()];
-        for ((at, &span), word) in cells.zip(spans).zip(words) {
-            if at[0] == 0 {
-                radius = 0;
-            }
-            let mut exit = || exits.as_ref().map_or(0, |e| e.grow(at, span, &mut radius));
+        exits(from, draft, table, words);
+        for (&span, word) in spans.iter().zip(words) {
             *word = match draft.list(span) {
-                [] => EMPTY << TAG_SHIFT | exit(),
+                [] => EMPTY << TAG_SHIFT | *word,
                 [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
                 list => {
-                    let place = LIST << TAG_SHIFT | end as u32;
-                    refs[end] = exit();
+                    refs[end] = *word;
                     refs[end + 1] = span.count;
                     let to = &mut refs[end + LIST_HEAD..][..list.len()];
                     for (to, &object) in to.iter_mut().zip(list) {
@@ -188,6 +179,7 @@ fn flatten(
                         *to = if triangle { numbers[object as usize] } else { object };
                     }
                     to.sort_unstable();
+                    let place = LIST << TAG_SHIFT | end as u32;
                     end += LIST_HEAD + list.len();
                     place
                 }

@@ -154,7 +154,8 @@ impl Index {
                 // A pair shares a block of voxels; its lowest one reports it.
                 let lowest: [u32; 3] = core::array::from_fn(|k| range.lo[k].max(other.lo[k]));
                 let mut owner = false;
-                overlap::Range { lo: lowest, hi: lowest }.each(&self.grid, |v| owner = v == voxel);
+                overlap::Range { lo: lowest, hi: lowest, inside: 0 }
+                    .each(&self.grid, |v| owner = v == voxel);
                 if owner && intersects(outer, &inner) && count < room {
                     links[count] = [number, child as u32];
                     count += 1;

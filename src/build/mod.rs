@@ -7,16 +7,20 @@
 //! and without an allocator, run the same code and write the same bytes.
 
 mod capacity;
+mod clearance;
 mod cluster;
 mod draft;
 mod exit;
 mod filter;
 mod flatten;
+mod footprint;
 mod frame;
 mod gather;
+mod grow;
 mod hierarchy;
 mod hug;
 mod overlap;
+mod reach;
 mod recursive;
 mod scratch;
 mod uniform;
@@ -71,7 +75,7 @@ pub fn plan<'s>(
         let numbers = &mut scratch.take::<u32>(capacity.triangles)?[..count];
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
         let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
-        let table = scratch.take::<u32>(capacity.table)?;
+        let table = scratch.take::<u64>(capacity.table)?;
         if count > 0 {
             match options.structure {
                 Structure::Uniform => uniform::uniform(&mut draft, options, objects)?,

@@ -8,12 +8,13 @@
 //! magnitudes involved, so a voxel is never left out, at any scale; one too
 //! many is harmless.
 
+use super::footprint::Small;
 use super::frame::Grid;
 use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
 
 /// Growth of a voxel on each side, in voxels.
-const PAD: f64 = 1.0 / 512.0;
+pub const PAD: f64 = 1.0 / 512.0;
 /// Bounds the rounding of the tests below with room to spare (2^-53 each, at
 /// most a dozen in a row).
 const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
@@ -23,19 +24,23 @@ const ROUNDING: f64 = 1.0 / (1u64 << 48) as f64;
 pub struct Range {
     pub lo: [u32; 3],
     pub hi: [u32; 3],
+    /// Axes, as bits, along which the box lies inside the grid.
+    pub inside: u32,
 }
 
 impl Range {
     /// The voxels that meet the box `lo, hi`, or `None` if it lies outside.
     pub fn of(grid: &Grid, lo: [f64; 3], hi: [f64; 3]) -> Option<Self> {
-        let mut range = Self { lo: [0; 3], hi: [0; 3] };
+        let mut range = Self { lo: [0; 3], hi: [0; 3], inside: 0 };
         for k in 0..3 {
             let cell = |x: f64| (x - grid.lo[k]) * grid.inv_cell[k];
             let (a, b) = (cell(lo[k]), cell(hi[k]));
             let (a, b) = (a - PAD - a.abs() * ROUNDING, b + PAD + b.abs() * ROUNDING);
-            if b < 0.0 || a >= f64::from(grid.n[k]) {
+            let end = f64::from(grid.n[k]);
+            if b < 0.0 || a >= end {
                 return None;
             }
+            range.inside |= u32::from(a >= 0.0 && b < end) << k;
             range.lo[k] = a.max(0.0) as u32;
             range.hi[k] = (b as u32).min(grid.n[k] - 1);
         }
@@ -77,14 +82,14 @@ struct Edges([[f64; 3]; 3]);
 
 impl Edges {
     /// `q`: the triangle's corners in units of voxels; `i`, `j`: the plane's axes.
-    fn new(q: &[[f64; 3]; 3], i: usize, j: usize, error: f64) -> Self {
-        let side = |a: usize, b: usize, p: usize| {
-            (q[b][i] - q[a][i]) * (q[p][j] - q[a][j]) - (q[b][j] - q[a][j]) * (q[p][i] - q[a][i])
-        };
+    #[inline(always)]
+    fn new(q: &[[f64; 3]; 3], (i, j): (usize, usize), error: f64) -> Self {
+        // Outward normals: twice the signed area says on which side the triangle lies.
+        let area =
+            (q[1][i] - q[0][i]) * (q[2][j] - q[0][j]) - (q[1][j] - q[0][j]) * (q[2][i] - q[0][i]);
+        let flip = if area > 0.0 { 1.0 } else { -1.0 };
         Self(core::array::from_fn(|e| {
-            let (a, b, apex) = (e, (e + 1) % 3, (e + 2) % 3);
-            // The outward normal: the apex lies on its negative side.
-            let flip = if side(a, b, apex) > 0.0 { 1.0 } else { -1.0 };
+            let (a, b) = (e, (e + 1) % 3);
             let normal = [flip * (q[b][j] - q[a][j]), -flip * (q[b][i] - q[a][i])];
             let offset = normal[0] * q[a][i] + normal[1] * q[a][j];
             // The corner of the grown voxel that lies deepest inside.
@@ -105,20 +110,31 @@ impl Edges {
 #[inline(always)]
 pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(usize)) -> usize {
     let Some(range) = Range::of_box(grid, b) else { return 1 };
-    let wide = (0..3).filter(|&k| range.lo[k] != range.hi[k]).count();
-    // Within a row the box is nearly always right.
-    if wide == 0 {
+    let wide: u32 = (0..3).map(|k| u32::from(range.lo[k] != range.hi[k]) << k).sum();
+    // Along the other axes the triangle lies in one layer of voxels: in a single
+    // row it meets every voxel between the ends of its box.
+    let thin = range.inside & !wide;
+    if wide == 0 || wide.is_power_of_two() && thin | wide == 7 {
         range.each(grid, visit);
-        return 1;
+        return range.rows();
     }
     let q = triangle
         .corners()
         .map(|p| core::array::from_fn(|k| (f64::from(p[k]) - grid.lo[k]) * grid.inv_cell[k]));
+    // In a single layer the projection onto it tells all.
+    let single = (wide != 7 && thin | wide == 7).then(|| thin.trailing_zeros() as usize);
+    if let Some(small) = Small::new(&q, &range) {
+        match single {
+            Some(k) => small.layer(k, &range, grid, visit),
+            None => small.block(&range, grid, visit),
+        }
+        return range.rows();
+    }
     let far = q.as_flattened().iter().fold(2048.0f64, |m, x| m.max(x.abs()));
     let (e0, e1) = (edge(&q[0], &q[1]), edge(&q[0], &q[2]));
     let longest = e0.iter().chain(&e1).fold(1.0f64, |m, x| m.max(x.abs()));
     let error = ROUNDING * far * longest * 4.0;
-    let edges = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| Edges::new(&q, i, j, error));
+    let edges = [(1, 2), (2, 0), (0, 1)].map(|plane| Edges::new(&q, plane, error));
     let normal = [
         e0[1] * e1[2] - e0[2] * e1[1],
         e0[2] * e1[0] - e0[0] * e1[2],

@@ -37,64 +37,64 @@ impl Allocator {
         Ok(Self { alloc: desc.alloc, free: desc.free, user: desc.user })
     }
 
-    /// `size` zeroed or unspecified bytes, aligned to 64.
-    fn get(&self, size: usize) -> Result<*mut u8, Error> {
+    /// `size` zeroed or unspecified bytes, aligned to `align`.
+    fn get(&self, size: usize, align: usize) -> Result<*mut u8, Error> {
         let memory = match self.alloc {
             // SAFETY: the caller's function, called as documented.
-            Some(alloc) => unsafe { alloc(size, ALIGN, self.user) }.cast(),
-            None => default_alloc(size)?,
+            Some(alloc) => unsafe { alloc(size, align, self.user) }.cast(),
+            None => default_alloc(size, align)?,
         };
         if memory.is_null() {
             return Err(Error::OutOfMemory);
         }
-        if !(memory as usize).is_multiple_of(ALIGN) {
+        if !(memory as usize).is_multiple_of(align) {
             // SAFETY: it came from `alloc` just now.
-            unsafe { self.put(memory, size) };
+            unsafe { self.put(memory, size, align) };
             return Err(Error::Alignment);
         }
         Ok(memory)
     }
 
     /// # Safety
-    /// `memory` came from [`Allocator::get`] with this size.
-    unsafe fn put(&self, memory: *mut u8, size: usize) {
+    /// `memory` came from [`Allocator::get`] with this size and alignment.
+    unsafe fn put(&self, memory: *mut u8, size: usize, align: usize) {
         match self.free {
             // SAFETY: the caller's function, called as documented.
             Some(free) => unsafe { free(memory.cast(), size, self.user) },
             // SAFETY: by the caller.
-            None => unsafe { default_free(memory, size) },
+            None => unsafe { default_free(memory, size, align) },
         }
     }
 }
 
 #[cfg(feature = "alloc")]
-fn layout(size: usize) -> Result<core::alloc::Layout, Error> {
-    core::alloc::Layout::from_size_align(size, ALIGN).map_err(|_| Error::Overflow)
+fn layout(size: usize, align: usize) -> Result<core::alloc::Layout, Error> {
+    core::alloc::Layout::from_size_align(size, align).map_err(|_| Error::Overflow)
 }
 
 /// Zeroed, so that pages which a bound asks for and the build does not touch
 /// are never made resident.
 #[cfg(feature = "alloc")]
-fn default_alloc(size: usize) -> Result<*mut u8, Error> {
+fn default_alloc(size: usize, align: usize) -> Result<*mut u8, Error> {
     // SAFETY: sizes here are at least 64.
-    Ok(unsafe { alloc::alloc::alloc_zeroed(layout(size)?) })
+    Ok(unsafe { alloc::alloc::alloc_zeroed(layout(size, align)?) })
 }
 
 #[cfg(feature = "alloc")]
-unsafe fn default_free(memory: *mut u8, size: usize) {
-    if let Ok(layout) = layout(size) {
+unsafe fn default_free(memory: *mut u8, size: usize, align: usize) {
+    if let Ok(layout) = layout(size, align) {
         // SAFETY: by the caller; the layout is the one it was made with.
         unsafe { alloc::alloc::dealloc(memory, layout) };
     }
 }
 
 #[cfg(not(feature = "alloc"))]
-fn default_alloc(_: usize) -> Result<*mut u8, Error> {
+fn default_alloc(_: usize, _: usize) -> Result<*mut u8, Error> {
     Err(Error::Null)
 }
 
 #[cfg(not(feature = "alloc"))]
-unsafe fn default_free(_: *mut u8, _: usize) {}
+unsafe fn default_free(_: *mut u8, _: usize, _: usize) {}
 
 /// An allocated block, freed when dropped unless it becomes a scene.
 pub struct Block {
@@ -103,26 +103,31 @@ pub struct Block {
     size: usize,
     /// Bytes before the usable part.
     head: usize,
+    align: usize,
 }
 
 impl Block {
     pub fn scratch(allocator: &Allocator, size: usize) -> Result<Self, Error> {
-        Self::new(allocator, size.max(ALIGN), 0)
+        // Allocators hand out zeroed pages as they are only where no more than
+        // their own alignment is asked for, and a build aligns its scratch itself.
+        Self::new(allocator, size.max(ALIGN), 0, align_of::<usize>())
     }
 
     /// Room for an arena, behind a prefix.
     pub fn scene(allocator: &Allocator, size: usize) -> Result<Self, Error> {
-        Self::new(allocator, size.checked_add(ALIGN).ok_or(Error::Overflow)?, ALIGN)
+        Self::new(allocator, size.checked_add(ALIGN).ok_or(Error::Overflow)?, ALIGN, ALIGN)
     }
 
-    fn new(allocator: &Allocator, size: usize, head: usize) -> Result<Self, Error> {
-        let memory = allocator.get(size)?;
+    fn new(allocator: &Allocator, size: usize, head: usize, align: usize) -> Result<Self, Error> {
+        // The caller's functions are always asked for the same.
+        let align = if allocator.alloc.is_some() { ALIGN } else { align };
+        let memory = allocator.get(size, align)?;
         if allocator.alloc.is_some() {
             // SAFETY: `size` bytes from the caller's allocator; a byte must not
             // be uninitialised before Rust may look at it.
             unsafe { memory.write_bytes(0, size) };
         }
-        Ok(Self { allocator: *allocator, memory, size, head })
+        Ok(Self { allocator: *allocator, memory, size, head, align })
     }
 
     pub fn bytes(&mut self) -> &mut [u8] {
@@ -151,7 +156,7 @@ impl Block {
         unsafe {
             let memory = scene.cast::<u8>().sub(ALIGN);
             let Prefix { allocator, size } = memory.cast::<Prefix>().read();
-            allocator.put(memory, size);
+            allocator.put(memory, size, ALIGN);
         }
     }
 }
@@ -159,6 +164,6 @@ impl Block {
 impl Drop for Block {
     fn drop(&mut self) {
         // SAFETY: owned, with the size it was allocated with.
-        unsafe { self.allocator.put(self.memory, self.size) };
+        unsafe { self.allocator.put(self.memory, self.size, self.align) };
     }
 }
