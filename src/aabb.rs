@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use glam::DVec3;
+use glam::{DVec3, Vec3A};
 
 /// A box, by its lowest and highest corner. Empty if inverted.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -15,12 +15,13 @@ pub struct Aabb {
 impl Aabb {
     pub const EMPTY: Self = Self { lo: [f32::INFINITY; 3], hi: [f32::NEG_INFINITY; 3] };
 
-    pub fn of(points: &[[f32; 3]]) -> Self {
-        let mut b = Self::EMPTY;
-        for p in points {
-            b.join(&Self { lo: *p, hi: *p });
-        }
-        b
+    /// The box of a triangle. Zeros are positive: which of two zeros is the lesser
+    /// depends on the instruction set.
+    #[inline(always)]
+    pub fn of(corners: &[[f32; 3]; 3]) -> Self {
+        let [a, b, c] = corners.map(Vec3A::from_array);
+        let (lo, hi) = (a.min(b).min(c) + Vec3A::ZERO, a.max(b).max(c) + Vec3A::ZERO);
+        Self { lo: lo.to_array(), hi: hi.to_array() }
     }
 
     pub fn join(&mut self, other: &Self) {

@@ -91,21 +91,22 @@ impl<'a> Geometry<'a> {
     }
 
     /// The corners of triangle `prim`.
+    #[inline(always)]
     pub(crate) fn triangle(&self, prim: usize) -> Result<[[f32; 3]; 3], Error> {
         let at = prim * 3;
-        let corner = |k: usize| -> Result<[f32; 3], Error> {
-            let vertex = match self.indices {
-                Indices::None => at + k,
-                Indices::U16(i) => i[at + k] as usize,
-                Indices::U32(i) => i[at + k] as usize,
-            };
-            if vertex >= self.vertices {
-                return Err(Error::IndexRange);
-            }
-            let c = &self.coords[vertex * self.stride..];
-            Ok([c[0], c[1], c[2]])
+        let vertices = match self.indices {
+            Indices::None => [at, at + 1, at + 2],
+            Indices::U16(i) => [0, 1, 2].map(|k| usize::from(i[at..at + 3][k])),
+            Indices::U32(i) => [0, 1, 2].map(|k| i[at..at + 3][k] as usize),
         };
-        Ok([corner(0)?, corner(1)?, corner(2)?])
+        let [i, j, k] = vertices;
+        if i.max(j).max(k) >= self.vertices {
+            return Err(Error::IndexRange);
+        }
+        Ok(vertices.map(|vertex| {
+            let c = &self.coords[vertex * self.stride..][..3];
+            [c[0], c[1], c[2]]
+        }))
     }
 }
 

@@ -67,7 +67,6 @@ impl<'s> Plan<'s> {
             return Err(Error::Alignment);
         }
         let arena = arena.get_mut(..self.bytes).ok_or(Error::BufferTooSmall)?;
-        arena.fill(0);
         let (head, mut rest) = arena.split_at_mut(size_of::<Header>());
         let head: &mut Header = bytemuck::from_bytes_mut(head);
         *head = self.header();
@@ -79,6 +78,8 @@ impl<'s> Plan<'s> {
             rest = tail;
             let skip = offset as usize - at;
             at = offset as usize + count as usize * record;
+            // Nothing of what was there before stays between the sections.
+            part[..skip].fill(0);
             &mut part[skip..]
         };
         let grids: &mut [Grid] = bytemuck::cast_slice_mut(section(0, size_of::<Grid>()));
@@ -86,6 +87,7 @@ impl<'s> Plan<'s> {
         let refs: &mut [u32] = bytemuck::cast_slice_mut(section(2, 4));
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
+        rest.fill(0);
         renumber(&self.draft, self.numbers, triangles);
         let table = if self.exits { &mut *self.table } else { &mut [] };
         flatten(&self.draft, self.numbers, table, grids, voxels, refs);

@@ -6,6 +6,7 @@ use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
 use crate::geometry::Geometry;
 use crate::triangle::degenerate;
+use glam::Vec3A;
 
 /// The triangles of a scene and their boxes, in the order of the soup.
 pub struct Soup<'s> {
@@ -30,9 +31,10 @@ impl<'s> Soup<'s> {
         for (geom, geometry) in (0..).zip(soup) {
             for prim in 0..geometry.triangle_count() {
                 let corners = geometry.triangle(prim)?;
-                if !corners.as_flattened().iter().all(|x| x.is_finite()) {
+                // Zero times what is not finite is no number.
+                if corners.as_flattened().iter().map(|x| x * 0.0).sum::<f32>() != 0.0 {
                     dropped_non_finite += 1;
-                } else if degenerate(&corners) {
+                } else if !has_area(&corners) && degenerate(&corners) {
                     dropped_degenerate += 1;
                 } else {
                     let mask = geometry.mask();
@@ -51,4 +53,15 @@ impl<'s> Soup<'s> {
             dropped_degenerate,
         })
     }
+}
+
+/// Whether a triangle with finite corners certainly has an area. Edges are off by
+/// 2^-24 of themselves, so each part of their cross product by less than 2^-21 of
+/// the product of the largest coordinates, if nothing overflows or underflows.
+#[inline(always)]
+fn has_area(corners: &[[f32; 3]; 3]) -> bool {
+    let [a, b, c] = corners.map(Vec3A::from_array);
+    let (e1, e2) = (b - a, c - a);
+    let m = e1.abs().max_element() * e2.abs().max_element();
+    m > 1e-30 && e1.cross(e2).abs().max_element() > m * (1.0 / (1 << 20) as f32)
 }
