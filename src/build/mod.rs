@@ -9,6 +9,7 @@
 mod capacity;
 mod clearance;
 mod cluster;
+mod control;
 mod draft;
 mod exit;
 mod filter;
@@ -26,6 +27,9 @@ mod scratch;
 mod uniform;
 
 pub use capacity::Sizes;
+#[cfg(feature = "rayon")]
+pub use control::Rayon;
+pub use control::{Control, Task, Threads};
 pub use flatten::Plan;
 
 use crate::Error;
