@@ -10,6 +10,8 @@ use core::ops::ControlFlow;
 use crate::Error;
 use crate::simd::fpenv;
 
+/// Triangles or voxels between two reports.
+const STRIDE: usize = 4096;
 /// Most tasks handed out at a time.
 pub(super) const TASKS: usize = 32;
 
@@ -60,6 +62,8 @@ pub struct Control<'a> {
     /// The range of fractions that the pass at hand stands for.
     pass: [f64; 2],
     last: f64,
+    /// Work since the last report.
+    work: usize,
 }
 
 impl<'a> Control<'a> {
@@ -74,12 +78,14 @@ impl<'a> Control<'a> {
     /// builds: from 0 to 1 and never falling. A break ends the build with
     /// [`Error::Cancelled`].
     #[must_use]
-    pub fn with_progress(
-        mut self,
-        progress: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Self {
+    pub fn with_progress(mut self, progress: &'a mut dyn FnMut(f64) -> ControlFlow<()>) -> Self {
         self.progress = Some(progress);
         self
+    }
+
+    /// Begins a build.
+    pub(super) fn begin(&mut self) {
+        (self.pass, self.last, self.work) = ([0.0; 2], 0.0, 0);
     }
 
     /// Begins a pass that ends where this share of the whole build is done.
@@ -94,36 +100,52 @@ impl<'a> Control<'a> {
         let [from, to] = self.pass;
         let share = (done as f64 / of.max(1) as f64).min(1.0);
         self.last = self.last.max(from + share * (to - from)).min(1.0);
+        self.work = 0;
         match progress(self.last) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(Error::Cancelled),
         }
     }
 
-    /// Does `work` to each item, on the caller's threads if there are any.
+    /// The same, but only now and then: after `work` more triangles or voxels.
+    #[inline]
+    pub(super) fn tick(&mut self, work: usize, done: usize, of: usize) -> Result<(), Error> {
+        if self.progress.is_none() {
+            return Ok(());
+        }
+        self.work += work;
+        if self.work < STRIDE { Ok(()) } else { self.at(done, of) }
+    }
+
+    /// Runs `f`, whose own reports do not move the fraction.
+    pub(super) fn within<R>(&mut self, f: impl FnOnce(&mut Self) -> R) -> R {
+        let pass = core::mem::replace(&mut self.pass, [self.last; 2]);
+        let result = f(self);
+        self.pass = pass;
+        result
+    }
+
+    /// Does `work` to each of at most [`TASKS`] items, on the caller's threads if
+    /// there are any.
     pub(super) fn each<T: Send>(
         &self,
         items: &mut [T],
         work: impl Fn(&mut T) + Sync,
     ) -> Result<(), Error> {
-        let Some(threads) = self.threads.filter(|_| items.len() > 1) else {
+        let count = items.len();
+        let Some(threads) = self.threads.filter(|_| count > 1) else {
             items.iter_mut().for_each(work);
             return Ok(());
         };
-        for items in items.chunks_mut(TASKS) {
-            let count = items.len();
-            let mut items = items.iter_mut();
-            let mut parts = [(); TASKS].map(|()| items.next().map(|item| Part { item, work: &work }));
-            let mut tasks = parts.each_mut().map(|part| Task {
-                work: part.as_mut().map(|part| part as &mut dyn Work),
-                done: false,
-            });
-            threads.run(&mut tasks[..count]);
-            if !tasks[..count].iter().all(|task| task.done) {
-                return Err(Error::Unfinished);
-            }
-        }
-        Ok(())
+        let mut items = items.iter_mut();
+        let mut parts = [(); TASKS].map(|()| items.next().map(|item| Part { item, work: &work }));
+        let mut tasks = parts.each_mut().map(|part| Task {
+            work: part.as_mut().map(|part| part as &mut dyn Work),
+            done: false,
+        });
+        threads.run(&mut tasks[..count]);
+        let done = tasks[..count].iter().all(|task| task.done);
+        if done { Ok(()) } else { Err(Error::Unfinished) }
     }
 }
 

@@ -4,8 +4,9 @@ use core::mem::MaybeUninit;
 
 use super::guard::overlap;
 use super::types::{
-    HUG_BUILD_COMPACT, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER,
-    HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, HUG_QUALITY_FAST, HUG_QUALITY_HIGH, hug_build_desc, hug_geometry,
+    HUG_BUILD_COMPACT, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS,
+    HUG_HIERARCHY_PAPER, HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, HUG_QUALITY_FAST,
+    HUG_QUALITY_HIGH, hug_build_desc, hug_geometry,
 };
 use crate::geometry::{Geometry, Indices};
 use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};

@@ -113,8 +113,13 @@ pub(crate) trait Lanes: Copy {
     /// `a * b - c * d`, rounded twice or three times.
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
     /// One bit for each lane in which `a > b` and `c > b`, or `d < e`, or `f > g`.
-    fn misses(self, ab: [Self::Wide; 2], c: Self::Wide, de: [Self::Wide; 2], fg: [Self::Wide; 2])
-    -> u32;
+    fn misses(
+        self,
+        ab: [Self::Wide; 2],
+        c: Self::Wide,
+        de: [Self::Wide; 2],
+        fg: [Self::Wide; 2],
+    ) -> u32;
 }
 
 /// Code to be compiled for an instruction set.

@@ -117,11 +117,8 @@ impl<'a, L: Lanes> Sieve<'a, L> {
             l.columns(|i| y.row(rows[i])),
             l.columns(|i| z.row(rows[i])),
         );
-        let (a, b, c) = (
-            self.shear([xa, ya, za]),
-            self.shear([xb, yb, zb]),
-            self.shear([xc, yc, zc]),
-        );
+        let (a, b, c) =
+            (self.shear([xa, ya, za]), self.shear([xb, yb, zb]), self.shear([xc, yc, zc]));
         let ab = l.cross_wide(a.x, b.y, a.y, b.x);
         let bc = l.cross_wide(b.x, c.y, b.y, c.x);
         let ca = l.cross_wide(c.x, a.y, c.y, a.x);
