@@ -64,6 +64,12 @@ static void print_build_desc(void)
     FIELD(hug_build_desc, alloc);
     FIELD(hug_build_desc, free);
     FIELD(hug_build_desc, user);
+    FIELD(hug_build_desc, quality);
+    FIELD(hug_build_desc, reserved);
+    FIELD(hug_build_desc, parallel_for);
+    FIELD(hug_build_desc, parallel_user);
+    FIELD(hug_build_desc, progress);
+    FIELD(hug_build_desc, progress_user);
 }
 
 static void print_ray(void)

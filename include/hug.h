@@ -31,6 +31,12 @@
 #define HUG_BUILD_PLAIN_STEPS 1
 
 /**
+ * Build flag: AUTO makes the smallest arena that is still sensible, whatever
+ * the quality.
+ */
+#define HUG_BUILD_COMPACT 2
+
+/**
  * hug_open flag: the bytes come from this library and are not checked.
  * Damaged bytes then make queries undefined.
  */
@@ -123,9 +129,35 @@ typedef void *(*hug_alloc_fn)(size_t size, size_t align, void *user);
 typedef void (*hug_free_fn)(void *memory, size_t size, void *user);
 
 /**
+ * How fine a structure AUTO builds: HUG_QUALITY_*.
+ */
+typedef uint32_t hug_quality;
+
+/**
+ * One of the tasks of a build, as a hug_parallel_for_fn is given it. Any thread may
+ * call it; it returns when the task is done. It never unwinds, allocates or locks.
+ */
+typedef void (*hug_task_fn)(void *context, size_t index);
+
+/**
+ * Calls task(context, index) once for every index from 0 to tasks - 1, on any
+ * threads, in any order, and returns when all calls have returned. An index that
+ * was called already does nothing; one that was left out makes the build fail
+ * with HUG_ERROR_UNFINISHED. Calling task after having returned is undefined.
+ */
+typedef void (*hug_parallel_for_fn)(void *user, size_t tasks, hug_task_fn task, void *context);
+
+/**
+ * Told how far a build is, from 0 to 1 and never falling. A result that is not 0
+ * cancels the build: HUG_ERROR_CANCELLED.
+ */
+typedef int32_t (*hug_progress_fn)(void *user, double fraction);
+
+/**
  * What to build, from which triangles, in whose memory. Zero it, set
  * struct_size = sizeof(hug_build_desc), geometries and geometry_count; every
- * other field may stay 0 for its default.
+ * other field may stay 0 for its default. A program compiled against an older
+ * header passes a smaller struct_size, and the fields it lacks are 0.
  */
 typedef struct {
   /**
@@ -218,6 +250,30 @@ typedef struct {
    * Passed to alloc and free.
    */
   void *user;
+  /**
+   * AUTO: HUG_QUALITY_*.
+   */
+  hug_quality quality;
+  /**
+   * Must be 0.
+   */
+  uint32_t reserved;
+  /**
+   * Runs parts of the build on the caller's threads, or NULL. The bytes built are the same.
+   */
+  hug_parallel_for_fn parallel_for;
+  /**
+   * Passed to parallel_for.
+   */
+  void *parallel_user;
+  /**
+   * Is told how far the build is, on the thread that builds, or NULL.
+   */
+  hug_progress_fn progress;
+  /**
+   * Passed to progress.
+   */
+  void *progress_user;
 } hug_build_desc;
 
 /**
@@ -553,6 +609,16 @@ typedef struct {
 #define HUG_ERROR_INTERNAL 16
 
 /**
+ * The progress callback cancelled the build.
+ */
+#define HUG_ERROR_CANCELLED 17
+
+/**
+ * parallel_for returned before every task had been run.
+ */
+#define HUG_ERROR_UNFINISHED 18
+
+/**
  * Chosen from the triangles: a pure function of triangles and options.
  */
 #define HUG_STRUCTURE_AUTO 0
@@ -601,6 +667,21 @@ typedef struct {
  * A grid hangs under every higher grid that it intersects, as in the paper.
  */
 #define HUG_HIERARCHY_PAPER 1
+
+/**
+ * Between the two others.
+ */
+#define HUG_QUALITY_DEFAULT 0
+
+/**
+ * Built soonest: fewer, coarser voxels.
+ */
+#define HUG_QUALITY_FAST 1
+
+/**
+ * Traced soonest: more, finer voxels, which take more time and memory to build.
+ */
+#define HUG_QUALITY_HIGH 2
 
 /**
  * No indices: triangle i is vertices 3 i, 3 i + 1, 3 i + 2.
@@ -799,8 +880,8 @@ const char *hug_version(void);
 uint32_t hug_abi_version(void);
 
 /**
- * The instruction set that queries run on: "avx2" or "portable", never NULL.
- * Results do not depend on it.
+ * The instruction set that queries run on: "avx512",
+ * "avx2" or "portable", never NULL. Results do not depend on it.
  */
 const char *hug_isa(void);
 

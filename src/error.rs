@@ -41,6 +41,10 @@ pub enum Error {
     Corrupt = 15,
     /// A bug in the library: a panic was stopped at the C boundary.
     Internal = 16,
+    /// The progress callback cancelled the build.
+    Cancelled = 17,
+    /// The caller's threads returned before every task had been run.
+    Unfinished = 18,
 }
 
 impl Error {
@@ -64,6 +68,8 @@ impl Error {
             Self::Endianness => c"the arena was written on a machine of other endianness",
             Self::Corrupt => c"the arena contradicts itself",
             Self::Internal => c"internal error in hug",
+            Self::Cancelled => c"the build was cancelled",
+            Self::Unfinished => c"parallel_for returned before every task had been run",
         }
     }
 }

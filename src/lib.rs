@@ -48,7 +48,7 @@ mod triangle;
 pub use arena::View;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
-pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Structure};
+pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
 pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;

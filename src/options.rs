@@ -84,6 +84,19 @@ impl Default for Filter {
     }
 }
 
+/// How fine a structure AUTO builds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Quality {
+    /// Between the two others.
+    #[default]
+    Default = 0,
+    /// Built soonest: fewer, coarser voxels.
+    Fast = 1,
+    /// Traced soonest: more, finer voxels, which take more time and memory to build.
+    High = 2,
+}
+
 /// Everything a build can be told.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -122,6 +135,10 @@ pub struct Options {
     /// counts follow from alpha are made coarser until they keep to it, and
     /// the recursive grid stops splitting; with `counts` the build fails.
     pub max_refs: u32,
+    /// AUTO: how fine. The other structures have parameters of their own.
+    pub quality: Quality,
+    /// AUTO: the smallest arena that is still sensible, whatever the quality.
+    pub compact: bool,
 }
 
 impl Default for Options {
@@ -141,6 +158,8 @@ impl Default for Options {
             min_cluster: 8,
             exit_boxes: true,
             max_refs: 32,
+            quality: Quality::Default,
+            compact: false,
         }
     }
 }
@@ -187,7 +206,14 @@ impl Options {
         if self.structure != Structure::Auto {
             return *self;
         }
-        Self { structure: Structure::Recursive, maxp: 24, world_alpha: Some(1.26), ..*self }
+        let (world_alpha, maxp) = match self.quality {
+            _ if self.compact => (0.8, 64),
+            Quality::Fast => (1.0, 48),
+            Quality::Default => (1.26, 24),
+            Quality::High => (1.6, 12),
+        };
+        let world_alpha = Some(world_alpha);
+        Self { structure: Structure::Recursive, maxp, world_alpha, ..*self }
     }
 
     /// The alpha of the outermost grid.

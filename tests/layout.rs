@@ -37,6 +37,7 @@ fn expected() -> Vec<String> {
             struct_size, geometries, geometry_count, structure, gridding, counts, alpha,
             world_alpha, maxp, max_depth, filter_levels, filter_share, filter_thresholds,
             connectivity, delta, hierarchy, min_cluster, max_refs, flags, alloc, free, user,
+            quality, reserved, parallel_for, parallel_user, progress, progress_user,
         }
         hug_ray { org, tmin, dir, tmax, mask, flags, skip_geom, skip_prim }
         hug_hit { t, u, v, ng, geom, prim, inst, reserved }

@@ -39,6 +39,14 @@ static void check_struct_size(void)
     REFUSE(&f.desc, HUG_ERROR_STRUCT_SIZE);
     f.desc.struct_size = sizeof f.desc - 1;
     REFUSE(&f.desc, HUG_ERROR_STRUCT_SIZE);
+    f.desc.struct_size = offsetof(hug_build_desc, quality) - 8;
+    REFUSE(&f.desc, HUG_ERROR_STRUCT_SIZE);
+    /* a program of the first version: what follows is not looked at */
+    f.desc.struct_size = offsetof(hug_build_desc, quality);
+    f.desc.quality = 1000;
+    EXPECT(hug_build(&f.desc, &scene), HUG_OK);
+    hug_free(scene);
+    f.desc.quality = 0;
     f.desc.struct_size = sizeof f.desc;
     EXPECT(hug_build((const hug_build_desc *)(const void *)((const char *)&f.desc + 1), &scene),
            HUG_ERROR_ALIGNMENT);
@@ -69,6 +77,9 @@ static void check_enumerations(void)
         REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
         fixture_make(&f);
         f.desc.hierarchy = beyond[i] ? beyond[i] : HUG_HIERARCHY_PAPER + 1;
+        REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
+        fixture_make(&f);
+        f.desc.quality = beyond[i] ? beyond[i] : HUG_QUALITY_HIGH + 1;
         REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
         fixture_make(&f);
         f.geometry.index_type = beyond[i] ? beyond[i] : HUG_INDEX_U32 + 1;
@@ -111,6 +122,7 @@ static void check_ranges(void)
     check_uint(offsetof(hug_build_desc, max_depth), HUG_MAX_LEVELS + 1);
     check_uint(offsetof(hug_build_desc, filter_levels), 4);
     check_uint(offsetof(hug_build_desc, max_refs), 4097);
+    check_uint(offsetof(hug_build_desc, reserved), 1);
     check_uint(offsetof(hug_build_desc, counts), 1); /* the other two stay 0 */
     check_uint(offsetof(hug_build_desc, counts), 2049);
 }
@@ -119,7 +131,9 @@ static void check_flags(void)
 {
     fixture f;
     fixture_make(&f);
-    f.desc.flags = 2;
+    f.desc.flags = 4;
+    REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
+    f.desc.flags = HUG_BUILD_COMPACT | 0x80000000u;
     REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
 }
 

@@ -9,6 +9,8 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::control::Control;
+use crate::Error;
 use crate::aabb::Aabb;
 
 /// A range of the index array that is still to be looked at.
@@ -33,11 +35,13 @@ pub fn cluster(
     boxes: &[Aabb],
     delta: f64,
     parts: &mut [Part],
+    control: &mut Control<'_>,
     mut found: impl FnMut(core::ops::Range<usize>),
-) {
+) -> Result<(), Error> {
     if order.is_empty() {
-        return;
+        return Ok(());
     }
+    let mut settled = 0;
     let mut waiting = 0;
     let push = |parts: &mut [Part], waiting: &mut usize, start: usize, end: usize, state: u32| {
         parts[*waiting] = Part { start: start as u32, end: end as u32, state };
@@ -50,9 +54,11 @@ pub fn cluster(
         let (start, end) = (part.start as usize, part.end as usize);
         let (axis, connected, cuts) = (part.state & 0xff, part.state >> 8 & 0xff, part.state >> 16);
         if end - start == 1 || connected == 3 || cuts == MAX_CUTS {
+            settled += end - start;
             found(start..end);
             continue;
         }
+        control.tick(end - start, settled, order.len())?;
         let k = axis as usize;
         let range = &mut order[start..end];
         range.sort_unstable_by(|&a, &b| {
@@ -74,4 +80,5 @@ pub fn cluster(
             if whole { (connected + 1) << 8 | cuts << 16 } else { 1 << 8 | (cuts + 1) << 16 };
         push(parts, &mut waiting, run, end, next_axis | state);
     }
+    Ok(())
 }

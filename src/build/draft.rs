@@ -5,6 +5,7 @@
 //! objects there.
 
 use super::capacity::Capacity;
+use super::control::Control;
 use super::frame::Grid;
 use super::gather::Soup;
 use super::overlap::{Range, voxels};
@@ -118,7 +119,13 @@ impl<'s> Draft<'s> {
     ///
     /// # Errors
     /// [`Error::Limit`] if the capacity does not suffice.
-    pub fn fill(&mut self, number: usize, objects: &[u32], crowded: Crowded) -> Result<(), Error> {
+    pub fn fill(
+        &mut self,
+        number: usize,
+        objects: &[u32],
+        crowded: Crowded,
+        control: &mut Control<'_>,
+    ) -> Result<(), Error> {
         let (soup, grids) = (&self.soup, &mut self.grid_memory[..self.grids]);
         let spans = &mut self.span_memory[self.spans..];
         let refs = &mut self.ref_memory[self.refs..];
@@ -132,6 +139,7 @@ impl<'s> Draft<'s> {
             self.stream,
             self.max_refs,
             crowded,
+            control,
         )
         .map(|(voxels, used)| {
             self.spans += voxels;
@@ -141,7 +149,12 @@ impl<'s> Draft<'s> {
 
     /// [`Draft::fill`] with the list of a voxel, which is then replaced by a
     /// reference to the grid.
-    pub fn fill_from(&mut self, number: usize, voxel: usize) -> Result<(), Error> {
+    pub fn fill_from(
+        &mut self,
+        number: usize,
+        voxel: usize,
+        control: &mut Control<'_>,
+    ) -> Result<(), Error> {
         let span = self.span_memory[voxel];
         let (soup, grids) = (&self.soup, &mut self.grid_memory[..self.grids]);
         let spans = &mut self.span_memory[self.spans..];
@@ -157,6 +170,7 @@ impl<'s> Draft<'s> {
             self.stream,
             self.max_refs,
             Crowded::Coarsen,
+            control,
         )?;
         self.spans += voxels;
         self.refs += used;
@@ -184,6 +198,7 @@ fn sort(
     stream: &mut [u32],
     max_refs: u32,
     crowded: Crowded,
+    control: &mut Control<'_>,
 ) -> Result<(usize, usize), Error> {
     let budget = objects.len().saturating_mul(max_refs as usize);
     // Objects whose boxes fill the grid cost time even where they leave no
@@ -210,6 +225,7 @@ fn sort(
             }
             end += 1;
             seen += 1;
+            control.tick(end - head, seen, objects.len())?;
             if end > budget + seen || rows > work {
                 break;
             }

@@ -20,28 +20,48 @@ use super::reach::Reach;
 /// the step it saves.
 const LONG: u32 = 16;
 
-/// Words of memory that [`exits`] takes for a grid.
-fn memory_len(n: [usize; 3]) -> usize {
-    n[0] * n[1] + Clearance::size(n).div_ceil(8)
+/// Planes of voxels that share boxes among each other. Those of different slabs
+/// do not, so that each can be a task.
+pub const SLAB: usize = 8;
+
+/// Words of memory that [`clear`] takes for a grid.
+pub fn clearance_len(n: [usize; 3]) -> usize {
+    Clearance::size(n).div_ceil(8)
 }
 
-/// Writes the exit box of each voxel of a grid, in the arena's form; zeros,
-/// which are right too, if `memory` is too small.
-pub fn exits(grid: &Grid, draft: &Draft<'_>, memory: &mut [u64], words: &mut [u32]) {
+/// Words of memory that [`planes`] takes.
+pub fn plane_len(n: [usize; 3]) -> usize {
+    n[0] * n[1]
+}
+
+/// Measures the clearances of a grid's voxels.
+pub fn clear<'a>(grid: &Grid, draft: &Draft<'_>, memory: &'a mut [u64]) -> Clearance<'a> {
     let n = grid.n.map(|n| n as usize);
-    if memory.len() < memory_len(n) {
-        return words.fill(0);
-    }
-    let (plane, rest) = memory.split_at_mut(n[0] * n[1]);
+    let bytes = &mut bytemuck::cast_slice_mut(memory)[..Clearance::size(n)];
+    Clearance::new(n, draft.spans(grid), bytes)
+}
+
+/// Writes the exit boxes of whole planes of a grid, from number `first` on, which
+/// begins a slab, in the arena's form. `memory`: [`plane_len`] words.
+pub fn planes(
+    grid: &Grid,
+    draft: &Draft<'_>,
+    clearance: &Clearance<'_>,
+    first: usize,
+    memory: &mut [u64],
+    words: &mut [u32],
+) {
+    let n = grid.n.map(|n| n as usize);
     // The boxes of the last voxels looked at, one for each x and y.
-    let plane: &mut [Reach] = bytemuck::cast_slice_mut(plane);
-    plane.fill(Reach::NONE);
-    let bytes = &mut bytemuck::cast_slice_mut(rest)[..Clearance::size(n)];
+    let plane: &mut [Reach] = bytemuck::cast_slice_mut(&mut memory[..plane_len(n)]);
     let spans = draft.spans(grid);
-    let clearance = Clearance::new(n, spans, bytes);
-    let grower = Grower { n, spans, draft, clearance: &clearance };
-    let mut rows = spans.chunks_exact(n[0]).zip(words.chunks_exact_mut(n[0]));
-    for z in 0..n[2] {
+    let grower = Grower { n, spans, draft, clearance };
+    let mut rows =
+        spans[first * n[0] * n[1]..].chunks_exact(n[0]).zip(words.chunks_exact_mut(n[0]));
+    for z in first..n[2] {
+        if z % SLAB == 0 {
+            plane.fill(Reach::NONE);
+        }
         for y in 0..n[1] {
             let Some((spans, words)) = rows.next() else { return };
             row(&grower, [y, z], spans, plane, words);

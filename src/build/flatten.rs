@@ -3,13 +3,14 @@
 //! Triangles are numbered in the order in which voxels, first to last, refer
 //! to them, so that what a ray meets together lies together.
 
-use super::draft::{Draft, Span};
-use super::exit::exits;
+use super::control::Control;
+use super::draft::Draft;
 use super::frame::{self, unit};
+use super::parts::{self, words};
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, EMPTY, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
-    PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD,
+    Section, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
 use crate::simd::fpenv;
@@ -64,10 +65,19 @@ impl<'s> Plan<'s> {
     /// the grids of a voxel are entered over and over; [`Error::BufferTooSmall`], or [`Error::Alignment`] unless `arena` is
     /// aligned to 64.
     pub fn write(self, arena: &mut [u8]) -> Result<(), Error> {
-        fpenv::with_default(|| self.write_all(arena))
+        self.write_with(arena, &mut Control::default())
     }
 
-    fn write_all(self, arena: &mut [u8]) -> Result<(), Error> {
+    /// [`Plan::write`] with the control that [`super::plan_with`] was given. What
+    /// it leaves in `arena` after an error is no arena.
+    ///
+    /// # Errors
+    /// As [`Plan::write`]; [`Error::Cancelled`], [`Error::Unfinished`].
+    pub fn write_with(self, arena: &mut [u8], control: &mut Control<'_>) -> Result<(), Error> {
+        fpenv::with_default(|| self.write_arena(arena, control))
+    }
+
+    fn write_arena(self, arena: &mut [u8], control: &mut Control<'_>) -> Result<(), Error> {
         if !(arena.as_ptr() as usize).is_multiple_of(ALIGN) {
             return Err(Error::Alignment);
         }
@@ -93,15 +103,24 @@ impl<'s> Plan<'s> {
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
         rest.fill(0);
-        renumber(&self.draft, self.numbers, triangles);
+        control.pass(0.5)?;
+        renumber(&self.draft, self.numbers, triangles, control)?;
+        control.pass(0.95)?;
+        let unit = unit(&self.draft.soup.bounds);
+        let mut first = 0;
+        for (grid, from) in grids.iter_mut().zip(self.draft.grids()) {
+            *grid = frame::Grid { first, ..*from }.record(unit);
+            first += from.voxels() as u32;
+        }
         let table = if self.exits { &mut *self.table } else { &mut [] };
-        flatten(&self.draft, self.numbers, table, grids, voxels, refs);
+        parts::write(&self.draft, self.numbers, table, (voxels, refs), control)?;
+        control.pass(1.0)?;
         count_walks(grids, voxels, refs);
         if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {
             return Err(Error::Limit);
         }
-        head.objects = count_objects(grids, voxels, refs, self.numbers);
-        Ok(())
+        head.objects = count_objects(grids, voxels, refs, self.numbers, control)?;
+        control.at(1, 1)
     }
 
     fn header(&self) -> Header {
@@ -128,22 +147,19 @@ impl<'s> Plan<'s> {
     }
 }
 
-/// Words of the references' section that a voxel takes.
-fn words(draft: &Draft<'_>, span: Span) -> u64 {
-    match draft.list(span) {
-        [] => 0,
-        [only] if only & GRID_BIT != 0 => 0,
-        list => (LIST_HEAD + list.len()) as u64,
-    }
-}
-
 /// Numbers the triangles as the voxels meet them and copies them in that order.
-fn renumber(draft: &Draft<'_>, numbers: &mut [u32], triangles: &mut [Triangle]) {
+fn renumber(
+    draft: &Draft<'_>,
+    numbers: &mut [u32],
+    triangles: &mut [Triangle],
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
     const UNSEEN: u32 = u32::MAX;
     numbers.fill(UNSEEN);
     let mut seen = 0;
     for grid in draft.grids() {
         for &span in draft.spans(grid) {
+            control.tick(1, seen as usize, triangles.len())?;
             for &object in draft.list(span).iter().filter(|&&o| o & GRID_BIT == 0) {
                 let number = &mut numbers[object as usize];
                 if *number == UNSEEN {
@@ -155,45 +171,7 @@ fn renumber(draft: &Draft<'_>, numbers: &mut [u32], triangles: &mut [Triangle]) 
         }
     }
     debug_assert_eq!(seen as usize, triangles.len(), "a triangle is in no voxel");
-}
-
-/// Writes grids, voxels and lists.
-fn flatten(
-    draft: &Draft<'_>,
-    numbers: &[u32],
-    table: &mut [u64],
-    grids: &mut [Grid],
-    voxels: &mut [u32],
-    refs: &mut [u32],
-) {
-    let (mut first, mut end) = (0, 0);
-    let unit = unit(&draft.soup.bounds);
-    for (grid, from) in grids.iter_mut().zip(draft.grids()) {
-        *grid = frame::Grid { first: first as u32, ..*from }.record(unit);
-        let spans = draft.spans(from);
-        let words = &mut voxels[first..first + spans.len()];
-        exits(from, draft, table, words);
-        for (&span, word) in spans.iter().zip(words) {
-            *word = match draft.list(span) {
-                [] => EMPTY << TAG_SHIFT | *word,
-                [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
-                list => {
-                    refs[end] = *word;
-                    refs[end + 1] = span.count;
-                    let to = &mut refs[end + LIST_HEAD..][..list.len()];
-                    for (to, &object) in to.iter_mut().zip(list) {
-                        let triangle = object & GRID_BIT == 0;
-                        *to = if triangle { numbers[object as usize] } else { object };
-                    }
-                    to.sort_unstable();
-                    let place = LIST << TAG_SHIFT | end as u32;
-                    end += LIST_HEAD + list.len();
-                    place
-                }
-            };
-        }
-        first += spans.len();
-    }
+    Ok(())
 }
 
 /// The references of a voxel of an arena being written.
@@ -211,11 +189,14 @@ fn count_objects(
     voxels: &[u32],
     refs: &[u32],
     last: &mut [u32],
-) -> [u32; MAX_LEVELS] {
+    control: &mut Control<'_>,
+) -> Result<[u32; MAX_LEVELS], Error> {
     let mut objects = [0; MAX_LEVELS];
     last.fill(u32::MAX);
     for grid in grids {
-        for voxel in &voxels[grid.first as usize..][..grid.voxels() as usize] {
+        let first = grid.first as usize;
+        for (i, voxel) in voxels[first..][..grid.voxels() as usize].iter().enumerate() {
+            control.tick(1, first + i, voxels.len())?;
             for &r in list(voxel, refs).iter().filter(|&&r| r & GRID_BIT == 0) {
                 if core::mem::replace(&mut last[r as usize], u32::from(grid.level))
                     != u32::from(grid.level)
@@ -225,7 +206,7 @@ fn count_objects(
             }
         }
     }
-    objects
+    Ok(objects)
 }
 
 /// Sets each grid's `walks`, children before parents.

@@ -1,6 +1,9 @@
 //! The first pass: the soup's triangles, without those that cannot be hit.
 
-use super::scratch::Scratch;
+use core::ops::Range;
+
+use super::control::{Control, TASKS};
+use super::scratch::{Scratch, cut};
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
@@ -17,41 +20,129 @@ pub struct Soup<'s> {
     pub dropped_degenerate: u64,
 }
 
+/// Triangles of a part, at most.
+const PART: usize = 4096;
+
+/// Some triangles of a geometry, and where they go.
+struct Part<'a> {
+    geom: u32,
+    geometry: &'a Geometry<'a>,
+    prims: Range<usize>,
+    triangles: &'a mut [Triangle],
+    boxes: &'a mut [Aabb],
+    found: Result<Found, Error>,
+}
+
+/// What a part holds.
+#[derive(Clone, Copy)]
+struct Found {
+    kept: usize,
+    bounds: Aabb,
+    dropped_non_finite: u64,
+    dropped_degenerate: u64,
+}
+
+const NOTHING: Found =
+    Found { kept: 0, bounds: Aabb::EMPTY, dropped_non_finite: 0, dropped_degenerate: 0 };
+
 impl<'s> Soup<'s> {
     /// Cost: linear, one exact test for each triangle without certain area.
     pub fn gather(
         soup: &[Geometry<'_>],
         capacity: usize,
         scratch: &mut Scratch<'s>,
+        control: &mut Control<'_>,
     ) -> Result<Self, Error> {
         let triangles = scratch.take::<Triangle>(capacity)?;
         let boxes = scratch.take::<Aabb>(capacity)?;
-        let mut bounds = Aabb::EMPTY;
-        let (mut kept, mut dropped_non_finite, mut dropped_degenerate) = (0, 0, 0);
-        for (geom, geometry) in (0..).zip(soup) {
-            for prim in 0..geometry.triangle_count() {
-                let corners = geometry.triangle(prim)?;
-                // Zero times what is not finite is no number.
-                if corners.as_flattened().iter().map(|x| x * 0.0).sum::<f32>() != 0.0 {
-                    dropped_non_finite += 1;
-                } else if !has_area(&corners) && degenerate(&corners) {
-                    dropped_degenerate += 1;
-                } else {
-                    let mask = geometry.mask();
-                    triangles[kept] = Triangle::new(&corners, geom, prim as u32, mask);
-                    boxes[kept] = Aabb::of(&corners);
-                    bounds.join(&boxes[kept]);
-                    kept += 1;
-                }
+        let mut all = NOTHING;
+        let mut looked_at = 0;
+        let mut ranges = (0..).zip(soup).flat_map(|(geom, geometry)| {
+            let count = geometry.triangle_count();
+            let starts = (0..count).step_by(PART);
+            starts.map(move |start| (geom, geometry, start..count.min(start + PART)))
+        });
+        loop {
+            let free = (&mut triangles[all.kept..], &mut boxes[all.kept..]);
+            let (found, seen) = batch(&mut ranges, free, control)?;
+            if seen == 0 {
+                break;
             }
+            // Closes the gaps that dropped triangles leave.
+            let mut start = all.kept;
+            for (len, part) in found.into_iter().flatten() {
+                if start != all.kept {
+                    triangles.copy_within(start..start + part.kept, all.kept);
+                    boxes.copy_within(start..start + part.kept, all.kept);
+                }
+                start += len;
+                all.kept += part.kept;
+                all.bounds.join(&part.bounds);
+                all.dropped_non_finite += part.dropped_non_finite;
+                all.dropped_degenerate += part.dropped_degenerate;
+            }
+            looked_at += seen;
+            control.at(looked_at, capacity)?;
         }
         Ok(Self {
-            triangles: &triangles[..kept],
-            boxes: &boxes[..kept],
-            bounds,
-            dropped_non_finite,
-            dropped_degenerate,
+            triangles: &triangles[..all.kept],
+            boxes: &boxes[..all.kept],
+            bounds: all.bounds,
+            dropped_non_finite: all.dropped_non_finite,
+            dropped_degenerate: all.dropped_degenerate,
         })
+    }
+}
+
+/// The size of each part of a batch and what it holds, and their triangles' number.
+type Batch = ([Option<(usize, Found)>; TASKS], usize);
+
+/// Looks at the next triangles, as many as there are tasks for; each part keeps its
+/// own at the start of its range of `triangles` and `boxes`.
+fn batch<'a>(
+    ranges: &mut impl Iterator<Item = (u32, &'a Geometry<'a>, Range<usize>)>,
+    (mut triangles, mut boxes): (&mut [Triangle], &mut [Aabb]),
+    control: &Control<'_>,
+) -> Result<Batch, Error> {
+    let mut parts = [(); TASKS].map(|()| {
+        let (geom, geometry, prims) = ranges.next()?;
+        let (triangles, boxes) = (cut(&mut triangles, prims.len()), cut(&mut boxes, prims.len()));
+        Some(Part { geom, geometry, prims, triangles, boxes, found: Ok(NOTHING) })
+    });
+    let used = parts.iter().flatten().count();
+    control.each(&mut parts[..used], |part| {
+        if let Some(part) = part {
+            part.found = part.look();
+        }
+    })?;
+    let (mut found, mut seen) = ([None; TASKS], 0);
+    for (found, part) in found.iter_mut().zip(parts.iter().flatten()) {
+        *found = Some((part.prims.len(), part.found?));
+        seen += part.prims.len();
+    }
+    Ok((found, seen))
+}
+
+impl Part<'_> {
+    fn look(&mut self) -> Result<Found, Error> {
+        let mut found = NOTHING;
+        let mask = self.geometry.mask();
+        for prim in self.prims.clone() {
+            let corners = self.geometry.triangle(prim)?;
+            // Zero times what is not finite is no number.
+            if corners.as_flattened().iter().map(|x| x * 0.0).sum::<f32>() != 0.0 {
+                found.dropped_non_finite += 1;
+            } else if !has_area(&corners) && degenerate(&corners) {
+                found.dropped_degenerate += 1;
+            } else {
+                let b = Aabb::of(&corners);
+                self.triangles[found.kept] = Triangle::new(&corners, self.geom, prim as u32, mask);
+                self.boxes[found.kept] = b;
+                found.bounds.join(&b);
+                found.kept += 1;
+            }
+        }
+        Ok(found)
     }
 }
 

@@ -6,6 +6,7 @@
 
 use core::ops::Range;
 
+use super::control::Control;
 use super::draft::{Crowded, Draft, Mark};
 use super::frame::{Grid, Rule};
 use super::overlap;
@@ -25,6 +26,7 @@ pub fn link(
     links: &mut [[u32; 2]],
     objects: &mut [u32],
     parent: &mut [u32],
+    control: &mut Control<'_>,
 ) -> Result<usize, Error> {
     let total = draft.grids().len();
     let mut above: [Range<usize>; MAX_LEVELS] = core::array::from_fn(|_| 0..0);
@@ -35,8 +37,9 @@ pub fn link(
         let group = first..first + same.count();
         parent[group.clone()].fill(NONE);
         for upper in above[..groups].iter().rev() {
-            let index = Index::new(draft, upper.clone(), objects)?;
+            let index = Index::new(draft, upper.clone(), objects, control)?;
             for child in group.clone() {
+                control.tick(1, child, total)?;
                 if rule == Hierarchy::Paper {
                     // Where the memory for links runs out, the world serves:
                     // one link is kept back for each grid still to come.
@@ -86,7 +89,12 @@ struct Index {
 }
 
 impl Index {
-    fn new(draft: &mut Draft<'_>, grids: Range<usize>, objects: &mut [u32]) -> Result<Self, Error> {
+    fn new(
+        draft: &mut Draft<'_>,
+        grids: Range<usize>,
+        objects: &mut [u32],
+        control: &mut Control<'_>,
+    ) -> Result<Self, Error> {
         let before = draft.mark();
         let rule = Rule { gridding: Gridding::Proportional, alpha: 1.0, counts: [0; 3] };
         let grid =
@@ -96,7 +104,7 @@ impl Index {
             *object = GRID_BIT | number as u32;
         }
         let number = draft.push(grid)?;
-        draft.fill(number, objects, Crowded::Coarsen)?;
+        control.within(|control| draft.fill(number, objects, Crowded::Coarsen, control))?;
         Ok(Self { grid: draft.grids()[number], before })
     }
 

@@ -4,6 +4,7 @@ use bytemuck::Zeroable;
 
 use super::capacity::Capacity;
 use super::cluster::{Part, cluster};
+use super::control::Control;
 use super::draft::{Crowded, Draft};
 use super::filter::Levels;
 use super::frame::{Grid, Rule};
@@ -23,6 +24,7 @@ pub fn hug<'s>(
     capacity: &Capacity,
     objects: &mut [u32],
     scratch: &mut Scratch<'s>,
+    control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let count = draft.soup.triangles.len();
     let boxes = draft.soup.boxes;
@@ -34,6 +36,7 @@ pub fn hug<'s>(
     let ranges = scratch.take::<[u32; 2]>(capacity.grids)?;
     let links = scratch.take::<[u32; 2]>(capacity.links)?;
 
+    control.pass(0.25)?;
     let bounds = level_ranges(&levels, boxes, home, order);
     draft.push(Grid::around(&draft.soup.bounds, u32::from(world), &draft.soup.bounds))?;
     ranges[0] = Zeroable::zeroed();
@@ -41,15 +44,18 @@ pub fn hug<'s>(
         let range = bounds[level] as usize..bounds[level + 1] as usize;
         let delta = f64::from(options.connectivity)
             * length(&levels, level, &order[range.clone()], boxes, options);
-        clusters(draft, options, (order, range), delta, (home, world), parts, ranges, level)?;
+        let home = (&mut *home, world);
+        clusters(draft, options, (order, range), delta, home, parts, ranges, level, control)?;
     }
+    control.pass(0.3)?;
     let grids = draft.grids().len();
     // The index array's tail beyond the triangles is not in use yet.
     let count_links = {
         let (free, parent) = objects.split_at_mut(grids.min(objects.len() / 2));
-        link(draft, options.hierarchy, links, free, parent)?
+        link(draft, options.hierarchy, links, free, parent, control)?
     };
-    fill(draft, options, ranges, order, (home, world), &links[..count_links], objects)
+    control.pass(0.45)?;
+    fill(draft, options, ranges, order, (home, world), &links[..count_links], objects, control)
 }
 
 /// Sorts the triangles' numbers by level, into `order`; level k is the range
@@ -101,17 +107,18 @@ fn clusters(
     parts: &mut [Part],
     ranges: &mut [[u32; 2]],
     level: usize,
+    control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let boxes = draft.soup.boxes;
     let start = range.start;
     let mut number = draft.grids().len();
     let first = number;
-    cluster(&mut order[range], boxes, delta, parts, |found| {
+    cluster(&mut order[range], boxes, delta, parts, control, |found| {
         if found.len() >= options.min_cluster as usize {
             ranges[number] = [(start + found.start) as u32, (start + found.end) as u32];
             number += 1;
         }
-    });
+    })?;
     // Whatever is in no grid of the level goes to the world.
     for home in home.iter_mut().filter(|home| usize::from(**home) == level) {
         *home = world;
@@ -130,6 +137,7 @@ fn clusters(
 }
 
 /// Cuts each grid into voxels and sorts its objects and lower grids into them.
+#[allow(clippy::too_many_arguments)]
 fn fill(
     draft: &mut Draft<'_>,
     options: &Options,
@@ -138,6 +146,7 @@ fn fill(
     (home, world): (&[u8], u8),
     mut links: &[[u32; 2]],
     objects: &mut [u32],
+    control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let inner = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
     for (number, range) in ranges.iter().enumerate().take(draft.grids().len()) {
@@ -159,7 +168,8 @@ fn fill(
         let crowded = if outer { outer_crowded(options) } else { Crowded::Coarsen };
         let grid = draft.grids()[number].divided(&rule, count);
         draft.grids_mut()[number] = grid;
-        draft.fill(number, &objects[..count], crowded)?;
+        control.tick(count, number, ranges.len())?;
+        control.within(|control| draft.fill(number, &objects[..count], crowded, control))?;
     }
     Ok(())
 }

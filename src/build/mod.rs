@@ -4,11 +4,14 @@
 //! `cluster`, `hierarchy`) shape the structure in a `draft`, where `overlap` and
 //! `frame` decide geometry; `flatten` writes the arena. All memory is cut from one
 //! scratch block (`capacity`, `scratch`), so that both doors of the library, with
-//! and without an allocator, run the same code and write the same bytes.
+//! and without an allocator, run the same code and write the same bytes. `control`
+//! is what a build may use of the caller's meanwhile; `gather` and `parts`, which
+//! `flatten` leaves the voxels to, split their work into tasks.
 
 mod capacity;
 mod clearance;
 mod cluster;
+mod control;
 mod draft;
 mod exit;
 mod filter;
@@ -20,12 +23,16 @@ mod grow;
 mod hierarchy;
 mod hug;
 mod overlap;
+mod parts;
 mod reach;
 mod recursive;
 mod scratch;
 mod uniform;
 
 pub use capacity::Sizes;
+#[cfg(feature = "rayon")]
+pub use control::Rayon;
+pub use control::{Control, Task, Threads};
 pub use flatten::Plan;
 
 use crate::Error;
@@ -65,12 +72,28 @@ pub fn plan<'s>(
     options: &Options,
     scratch: &'s mut [u8],
 ) -> Result<Plan<'s>, Error> {
+    plan_with(soup, options, scratch, &mut Control::default())
+}
+
+/// [`plan`] with the caller's threads, and telling how far it is; to be followed by
+/// [`Plan::write_with`].
+///
+/// # Errors
+/// As [`plan`]; [`Error::Cancelled`], [`Error::Unfinished`].
+pub fn plan_with<'s>(
+    soup: &[Geometry<'_>],
+    options: &Options,
+    scratch: &'s mut [u8],
+    control: &mut Control<'_>,
+) -> Result<Plan<'s>, Error> {
     fpenv::with_default(|| {
         options.check()?;
         let options = &options.resolved();
         let capacity = Capacity::new(count(soup)?, options);
         let mut scratch = Scratch::new(scratch);
-        let soup = Soup::gather(soup, capacity.triangles, &mut scratch)?;
+        control.begin();
+        control.pass(0.1)?;
+        let soup = Soup::gather(soup, capacity.triangles, &mut scratch, control)?;
         let count = soup.triangles.len();
         let numbers = &mut scratch.take::<u32>(capacity.triangles)?[..count];
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
@@ -78,10 +101,15 @@ pub fn plan<'s>(
         let table = scratch.take::<u64>(capacity.table)?;
         if count > 0 {
             match options.structure {
-                Structure::Uniform => uniform::uniform(&mut draft, options, objects)?,
-                Structure::Recursive => recursive::recursive(&mut draft, options, objects)?,
+                Structure::Uniform => {
+                    control.pass(0.45)?;
+                    uniform::uniform(&mut draft, options, objects, control)?;
+                }
+                Structure::Recursive => {
+                    recursive::recursive(&mut draft, options, objects, control)?;
+                }
                 Structure::Auto | Structure::Hug => {
-                    hug::hug(&mut draft, options, &capacity, objects, &mut scratch)?;
+                    hug::hug(&mut draft, options, &capacity, objects, &mut scratch, control)?;
                 }
             }
         }
@@ -100,8 +128,22 @@ pub fn build_into<'a>(
     scratch: &mut [u8],
     arena: &'a mut [u8],
 ) -> Result<&'a [u8], Error> {
-    let plan = plan(soup, options, scratch)?;
+    build_into_with(soup, options, scratch, arena, &mut Control::default())
+}
+
+/// [`build_into`] with the caller's threads, and telling how far it is.
+///
+/// # Errors
+/// As [`plan_with`] and [`Plan::write_with`].
+pub fn build_into_with<'a>(
+    soup: &[Geometry<'_>],
+    options: &Options,
+    scratch: &mut [u8],
+    arena: &'a mut [u8],
+    control: &mut Control<'_>,
+) -> Result<&'a [u8], Error> {
+    let plan = plan_with(soup, options, scratch, control)?;
     let bytes = plan.arena_bytes();
-    plan.write(arena)?;
+    plan.write_with(arena, control)?;
     Ok(&arena[..bytes])
 }

@@ -7,6 +7,7 @@
 //! capacity, the rest stays as it is. So time, like memory, is linear in the
 //! references allowed.
 
+use super::control::Control;
 use super::draft::{Draft, Span};
 use super::frame::{Grid, Rule};
 use super::uniform::uniform;
@@ -18,18 +19,22 @@ pub fn recursive(
     draft: &mut Draft<'_>,
     options: &Options,
     objects: &mut [u32],
+    control: &mut Control<'_>,
 ) -> Result<(), Error> {
-    uniform(draft, options, objects)?;
+    control.pass(0.3)?;
+    uniform(draft, options, objects, control)?;
+    control.pass(0.45)?;
     let rule = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
     let mut splitter = Splitter { rule, maxp: options.maxp, wasted: 0 };
     let mut number = 0;
     while number < draft.grids().len() {
         // Depth for now; levels count from the deepest and are set below.
         if draft.grids()[number].level + 1 < options.max_depth
-            && splitter.split_all(draft, number).is_none()
+            && !control.within(|control| splitter.split_all(draft, number, control))?
         {
             break;
         }
+        control.tick(draft.grids()[number].voxels() as usize, number, draft.grids().len())?;
         number += 1;
     }
     let deepest = draft.grids().iter().map(|g| g.level).max().unwrap_or(0);
@@ -47,8 +52,13 @@ struct Splitter {
 }
 
 impl Splitter {
-    /// Splits the crowded voxels of one grid; `None` when it is time to stop.
-    fn split_all(&mut self, draft: &mut Draft<'_>, number: usize) -> Option<()> {
+    /// Splits the crowded voxels of one grid; false when it is time to stop.
+    fn split_all(
+        &mut self,
+        draft: &mut Draft<'_>,
+        number: usize,
+        control: &mut Control<'_>,
+    ) -> Result<bool, Error> {
         let grid = draft.grids()[number];
         let [nx, ny, nz] = grid.n;
         let cells =
@@ -58,25 +68,32 @@ impl Splitter {
             if span.count > self.maxp {
                 let child = grid.inside(at, grid.level + 1);
                 let child = child.divided(&self.rule, span.count as usize);
-                self.split(draft, child, grid.first as usize + voxel, span)?;
+                if !self.split(draft, child, (grid.first as usize + voxel, span), control)? {
+                    return Ok(false);
+                }
             }
         }
-        Some(())
+        Ok(true)
     }
 
-    /// Makes `child` of a voxel, unless that separates nothing. `None` if there is no room, or no patience.
+    /// Makes `child` of a voxel, unless that separates nothing. False if there is no
+    /// room, or no patience.
     fn split(
         &mut self,
         draft: &mut Draft<'_>,
         child: Grid,
-        voxel: usize,
-        span: Span,
-    ) -> Option<()> {
+        (voxel, span): (usize, Span),
+        control: &mut Control<'_>,
+    ) -> Result<bool, Error> {
         let before = draft.mark();
-        let filled = draft.push(child).and_then(|n| draft.fill_from(n, voxel).map(|()| n));
-        let Ok(number) = filled else {
-            draft.back_to(before);
-            return None;
+        let filled = draft.push(child).and_then(|n| draft.fill_from(n, voxel, control).map(|()| n));
+        let number = match filled {
+            Ok(number) => number,
+            Err(Error::Limit) => {
+                draft.back_to(before);
+                return Ok(false);
+            }
+            Err(other) => return Err(other),
         };
         let child = draft.grids()[number];
         // A voxel that still holds all objects is no loss where hardly any other
@@ -86,9 +103,9 @@ impl Splitter {
         if together && used >= 2 * span.count as usize {
             self.wasted += used;
             draft.back_to(before);
-            return (self.wasted <= draft.capacity()).then_some(());
+            return Ok(self.wasted <= draft.capacity());
         }
         draft.replace(voxel, number);
-        Some(())
+        Ok(true)
     }
 }

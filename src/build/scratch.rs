@@ -26,3 +26,10 @@ impl<'s> Scratch<'s> {
         bytemuck::try_cast_slice_mut(&mut head[skip..]).map_err(|_| Error::Alignment)
     }
 }
+
+/// Cuts off the first `count` records.
+pub fn cut<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (head, tail) = core::mem::take(rest).split_at_mut(count);
+    *rest = tail;
+    head
+}

@@ -1,5 +1,6 @@
 //! The uniform grid (section 1.3): the box of all objects, cut once.
 
+use super::control::Control;
 use super::draft::{Crowded, Draft};
 use super::frame::{Grid, Rule};
 use crate::Error;
@@ -16,7 +17,12 @@ pub fn outer_crowded(options: &Options) -> Crowded {
 }
 
 /// Puts all triangles into one grid. `objects` is room for their numbers.
-pub fn uniform(draft: &mut Draft<'_>, options: &Options, objects: &mut [u32]) -> Result<(), Error> {
+pub fn uniform(
+    draft: &mut Draft<'_>,
+    options: &Options,
+    objects: &mut [u32],
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
     let count = draft.soup.triangles.len();
     let grid = Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds)
         .divided(&outer_rule(options), count);
@@ -25,5 +31,5 @@ pub fn uniform(draft: &mut Draft<'_>, options: &Options, objects: &mut [u32]) ->
     for (i, object) in (0..).zip(objects.iter_mut()) {
         *object = i;
     }
-    draft.fill(number, objects, outer_crowded(options))
+    draft.fill(number, objects, outer_crowded(options), control)
 }

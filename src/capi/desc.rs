@@ -4,11 +4,12 @@ use core::mem::MaybeUninit;
 
 use super::guard::overlap;
 use super::types::{
-    HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER,
-    HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, hug_build_desc, hug_geometry,
+    HUG_BUILD_COMPACT, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS,
+    HUG_HIERARCHY_PAPER, HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, HUG_QUALITY_FAST,
+    HUG_QUALITY_HIGH, hug_build_desc, hug_geometry,
 };
 use crate::geometry::{Geometry, Indices};
-use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Structure};
+use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
 use crate::{Error, MAX_TRIANGLES};
 
 /// A descriptor whose options are in range and whose pointers are not NULL and
@@ -33,16 +34,20 @@ impl<'a> Parsed<'a> {
         }
         // SAFETY: every descriptor begins with its size.
         let size = unsafe { desc.cast::<usize>().read() };
-        if size < size_of::<hug_build_desc>() {
+        if !(FIRST_DESC..=MAX_DESC).contains(&size) || !size.is_multiple_of(align_of_val(&size)) {
             return Err(Error::StructSize);
         }
-        // SAFETY: the caller vouches for `size` bytes; a later version's further
-        // fields must be zero, as we cannot honour them.
+        let known = size.min(size_of::<hug_build_desc>());
+        let mut head = MaybeUninit::<hug_build_desc>::zeroed();
+        // SAFETY: the caller vouches for `size` bytes; zeros are a value of every
+        // field. A later version's further fields must be zero, as we cannot honour
+        // them.
         let (head, tail) = unsafe {
-            let bytes = core::slice::from_raw_parts(desc.cast::<u8>(), size.min(MAX_DESC));
-            (desc.read(), &bytes[size_of::<hug_build_desc>()..])
+            head.as_mut_ptr().cast::<u8>().copy_from_nonoverlapping(desc.cast(), known);
+            let bytes = core::slice::from_raw_parts(desc.cast::<u8>(), size);
+            (head.assume_init(), &bytes[known..])
         };
-        if size > MAX_DESC || tail.iter().any(|&b| b != 0) {
+        if tail.iter().any(|&b| b != 0) {
             return Err(Error::StructSize);
         }
         if head.geometry_count > 0 && head.geometries.is_null() {
@@ -113,6 +118,8 @@ impl<'a> Parsed<'a> {
     }
 }
 
+/// The first version of the descriptor ended before this field.
+const FIRST_DESC: usize = core::mem::offset_of!(hug_build_desc, quality);
 /// No version of the descriptor will be larger: a larger size is garbage.
 const MAX_DESC: usize = 4096;
 
@@ -215,7 +222,7 @@ fn or<T: PartialEq + Default>(value: T, default: T) -> T {
 /// `filter_thresholds` is NULL or readable.
 unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
     let normal = Options::default();
-    if d.flags & !HUG_BUILD_PLAIN_STEPS != 0 {
+    if d.flags & !(HUG_BUILD_PLAIN_STEPS | HUG_BUILD_COMPACT) != 0 || d.reserved != 0 {
         return Err(Error::InvalidValue);
     }
     Ok(Options {
@@ -252,6 +259,13 @@ unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
         min_cluster: or(d.min_cluster, normal.min_cluster),
         exit_boxes: d.flags & HUG_BUILD_PLAIN_STEPS == 0,
         max_refs: or(d.max_refs, normal.max_refs),
+        quality: match d.quality {
+            0 => Quality::Default,
+            HUG_QUALITY_FAST => Quality::Fast,
+            HUG_QUALITY_HIGH => Quality::High,
+            _ => return Err(Error::InvalidValue),
+        },
+        compact: d.flags & HUG_BUILD_COMPACT != 0,
     })
 }
 

@@ -172,6 +172,8 @@ pub extern "C" fn hug_status_string(status: hug_status) -> *const c_char {
         14 => Error::Endianness,
         15 => Error::Corrupt,
         16 => Error::Internal,
+        17 => Error::Cancelled,
+        18 => Error::Unfinished,
         _ => return c"unknown status".as_ptr(),
     };
     error.message().as_ptr()

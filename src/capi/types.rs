@@ -44,6 +44,11 @@ pub const HUG_ERROR_CORRUPT: hug_status = 15;
 /// A bug in hug: a panic was stopped at the boundary.
 pub const HUG_ERROR_INTERNAL: hug_status = 16;
 
+/// The progress callback cancelled the build.
+pub const HUG_ERROR_CANCELLED: hug_status = 17;
+/// parallel_for returned before every task had been run.
+pub const HUG_ERROR_UNFINISHED: hug_status = 18;
+
 /// The id that names nothing, in hits and in a ray's skip_geom and skip_prim.
 pub const HUG_NONE: u32 = 0xffff_ffff;
 
@@ -79,6 +84,15 @@ pub const HUG_HIERARCHY_NESTED: hug_hierarchy = 0;
 /// A grid hangs under every higher grid that it intersects, as in the paper.
 pub const HUG_HIERARCHY_PAPER: hug_hierarchy = 1;
 
+/// How fine a structure AUTO builds: HUG_QUALITY_*.
+pub type hug_quality = u32;
+/// Between the two others.
+pub const HUG_QUALITY_DEFAULT: hug_quality = 0;
+/// Built soonest: fewer, coarser voxels.
+pub const HUG_QUALITY_FAST: hug_quality = 1;
+/// Traced soonest: more, finer voxels, which take more time and memory to build.
+pub const HUG_QUALITY_HIGH: hug_quality = 2;
+
 /// The type of a geometry's indices: HUG_INDEX_*.
 pub type hug_index_type = u32;
 /// No indices: triangle i is vertices 3 i, 3 i + 1, 3 i + 2.
@@ -91,6 +105,10 @@ pub const HUG_INDEX_U32: hug_index_type = 2;
 /// Build flag: no exit boxes, so that a step of the walk is one voxel, as in
 /// the paper. The hits are the same.
 pub const HUG_BUILD_PLAIN_STEPS: u32 = 1;
+
+/// Build flag: AUTO makes the smallest arena that is still sensible, whatever
+/// the quality.
+pub const HUG_BUILD_COMPACT: u32 = 2;
 
 /// hug_open flag: the bytes come from this library and are not checked.
 /// Damaged bytes then make queries undefined.
@@ -121,6 +139,20 @@ pub struct hug_geometry {
     pub mask: u32,
 }
 
+/// One of the tasks of a build, as a hug_parallel_for_fn is given it. Any thread may
+/// call it; it returns when the task is done. It never unwinds, allocates or locks.
+pub type hug_task_fn = Option<unsafe extern "C" fn(context: *mut c_void, index: usize)>;
+/// Calls task(context, index) once for every index from 0 to tasks - 1, on any
+/// threads, in any order, and returns when all calls have returned. An index that
+/// was called already does nothing; one that was left out makes the build fail
+/// with HUG_ERROR_UNFINISHED. Calling task after having returned is undefined.
+pub type hug_parallel_for_fn = Option<
+    unsafe extern "C" fn(user: *mut c_void, tasks: usize, task: hug_task_fn, context: *mut c_void),
+>;
+/// Told how far a build is, from 0 to 1 and never falling. A result that is not 0
+/// cancels the build: HUG_ERROR_CANCELLED.
+pub type hug_progress_fn = Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64) -> i32>;
+
 /// Allocates size bytes aligned to align (a power of two, at most 64), or returns NULL.
 pub type hug_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
@@ -130,7 +162,8 @@ pub type hug_free_fn =
 
 /// What to build, from which triangles, in whose memory. Zero it, set
 /// struct_size = sizeof(hug_build_desc), geometries and geometry_count; every
-/// other field may stay 0 for its default.
+/// other field may stay 0 for its default. A program compiled against an older
+/// header passes a smaller struct_size, and the fields it lacks are 0.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct hug_build_desc {
@@ -180,6 +213,18 @@ pub struct hug_build_desc {
     pub free: hug_free_fn,
     /// Passed to alloc and free.
     pub user: *mut c_void,
+    /// AUTO: HUG_QUALITY_*.
+    pub quality: hug_quality,
+    /// Must be 0.
+    pub reserved: u32,
+    /// Runs parts of the build on the caller's threads, or NULL. The bytes built are the same.
+    pub parallel_for: hug_parallel_for_fn,
+    /// Passed to parallel_for.
+    pub parallel_user: *mut c_void,
+    /// Is told how far the build is, on the thread that builds, or NULL.
+    pub progress: hug_progress_fn,
+    /// Passed to progress.
+    pub progress_user: *mut c_void,
 }
 
 /// A ray org + t dir, tmin <= t <= tmax. 48 bytes, aligned to 4.

@@ -1,0 +1,243 @@
+//! Voxels and lists of the arena, written in parts that can be tasks.
+//!
+//! A part is a run of small grids or a slab of a large one. Where parts begin
+//! follows from the grids alone, and each has voxels, lists and working memory of
+//! its own.
+
+use super::control::{Control, TASKS};
+use super::draft::{Draft, Span};
+use super::exit::{SLAB, clear, clearance_len, plane_len, planes};
+use super::frame::Grid;
+use super::scratch::cut;
+use crate::Error;
+use crate::arena::layout::{EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, TAG_SHIFT};
+
+/// Voxels from which on a grid is cut into slabs.
+const LARGE: u64 = 1 << 15;
+/// Voxels of a run of small grids, about.
+const RUN: u64 = 1 << 13;
+
+/// Words of the references' section that a voxel takes.
+pub fn words(draft: &Draft<'_>, span: Span) -> u64 {
+    match draft.list(span) {
+        [] => 0,
+        [only] if only & GRID_BIT != 0 => 0,
+        list => (LIST_HEAD + list.len()) as u64,
+    }
+}
+
+/// What the parts read.
+struct Input<'a> {
+    draft: &'a Draft<'a>,
+    /// The triangles' places in the arena.
+    numbers: &'a [u32],
+}
+
+/// What is not handed out yet of the arena.
+struct Free<'a> {
+    voxels: &'a mut [u32],
+    refs: &'a mut [u32],
+    /// Number of the first of these references.
+    first: u32,
+}
+
+/// Some voxels of the arena and the lists of these.
+#[derive(Default)]
+struct Output<'a> {
+    voxels: &'a mut [u32],
+    refs: &'a mut [u32],
+    first: u32,
+}
+
+impl<'a> Free<'a> {
+    /// Cuts off what the next spans of the draft take.
+    fn take<'d>(
+        &mut self,
+        draft: &Draft<'_>,
+        spans: impl Iterator<Item = &'d [Span]>,
+    ) -> Output<'a> {
+        let (mut voxels, mut refs) = (0, 0);
+        for spans in spans {
+            voxels += spans.len();
+            refs += spans.iter().map(|&s| words(draft, s)).sum::<u64>() as usize;
+        }
+        let first = self.first;
+        self.first += refs as u32;
+        Output { voxels: cut(&mut self.voxels, voxels), refs: cut(&mut self.refs, refs), first }
+    }
+}
+
+fn sides(grid: &Grid) -> [usize; 3] {
+    grid.n.map(|n| n as usize)
+}
+
+/// Words of memory for a grid's exit boxes; 0 where there are to be none, as the
+/// whole `table` is too small.
+fn memory_len(grid: &Grid, table: usize) -> usize {
+    let words = clearance_len(sides(grid)) + plane_len(sides(grid));
+    if words <= table { words } else { 0 }
+}
+
+/// Writes all voxels and lists. `numbers`: the triangles' places in the arena;
+/// `table`: memory for exit boxes; a grid that needs more of it goes without.
+pub fn write(
+    draft: &Draft<'_>,
+    numbers: &[u32],
+    table: &mut [u64],
+    (voxels, refs): (&mut [u32], &mut [u32]),
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
+    let total = voxels.len();
+    let input = &Input { draft, numbers };
+    let mut free = Free { voxels, refs, first: 0 };
+    let mut grids = draft.grids();
+    while let Some((first, rest)) = grids.split_first() {
+        if first.voxels() < LARGE {
+            grids = runs(input, grids, table, &mut free, control)?;
+        } else {
+            slabs(input, first, table, &mut free, control)?;
+            grids = rest;
+        }
+        control.at(total - free.voxels.len(), total)?;
+    }
+    Ok(())
+}
+
+/// Small grids, one after the other.
+struct Run<'a> {
+    grids: &'a [Grid],
+    memory: &'a mut [u64],
+    output: Output<'a>,
+}
+
+/// Writes some of the small grids that `grids` begins with; returns the rest.
+fn runs<'g>(
+    input: &Input<'_>,
+    mut grids: &'g [Grid],
+    table: &mut [u64],
+    free: &mut Free<'_>,
+    control: &Control<'_>,
+) -> Result<&'g [Grid], Error> {
+    let size = table.len();
+    let mut memory = table;
+    let mut runs = [(); TASKS].map(|()| {
+        let (count, words) = run_len(grids, size, memory.len());
+        let (run, rest) = grids.split_at(count);
+        grids = rest;
+        let output = free.take(input.draft, run.iter().map(|grid| input.draft.spans(grid)));
+        Run { grids: run, memory: cut(&mut memory, words), output }
+    });
+    let used = runs.iter().take_while(|run| !run.grids.is_empty()).count();
+    control.each(&mut runs[..used], |run| {
+        let mut at = 0;
+        for grid in run.grids {
+            let spans = input.draft.spans(grid);
+            let words = &mut run.output.voxels[at..at + spans.len()];
+            at += spans.len();
+            let len = memory_len(grid, size);
+            if len == 0 {
+                words.fill(0);
+            } else {
+                let (plane, rest) = run.memory[..len].split_at_mut(plane_len(sides(grid)));
+                let clearance = clear(grid, input.draft, rest);
+                planes(grid, input.draft, &clearance, 0, plane, words);
+            }
+        }
+        run.output.write(input, run.grids.iter().flat_map(|grid| input.draft.spans(grid)));
+    })?;
+    Ok(grids)
+}
+
+/// How many small grids a run takes, and the words of memory that the largest of
+/// them needs: none if `left` of the table's `size` words are too few.
+fn run_len(grids: &[Grid], size: usize, left: usize) -> (usize, usize) {
+    let (mut count, mut voxels, mut most) = (0, 0, 0);
+    for grid in grids.iter().take_while(|grid| grid.voxels() < LARGE) {
+        let words = memory_len(grid, size);
+        if voxels >= RUN || words > left {
+            break;
+        }
+        (count, voxels, most) = (count + 1, voxels + grid.voxels(), most.max(words));
+    }
+    (count, most)
+}
+
+/// Some planes of a large grid.
+struct Slab<'a> {
+    first: usize,
+    spans: &'a [Span],
+    memory: &'a mut [u64],
+    output: Output<'a>,
+}
+
+/// Writes a large grid.
+fn slabs(
+    input: &Input<'_>,
+    grid: &Grid,
+    table: &mut [u64],
+    free: &mut Free<'_>,
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
+    let n = sides(grid);
+    let exits = memory_len(grid, table.len()) > 0;
+    let (memory, clearance) = if exits {
+        let (head, rest) = table.split_at_mut(clearance_len(n));
+        (rest, Some(clear(grid, input.draft, head)))
+    } else {
+        (&mut table[..0], None)
+    };
+    let plane = if exits { plane_len(n) } else { 0 };
+    let most = memory.len().checked_div(plane).map_or(TASKS, |fit| fit.min(TASKS));
+    let mut slabs = input.draft.spans(grid).chunks(SLAB * n[0] * n[1]).enumerate();
+    let total = n[2].div_ceil(SLAB);
+    while slabs.len() > 0 {
+        let mut memory = &mut *memory;
+        let mut next = slabs.by_ref().take(most);
+        let mut tasks = [(); TASKS].map(|()| {
+            let (number, spans) = next.next()?;
+            let output = free.take(input.draft, core::iter::once(spans));
+            Some(Slab { first: number * SLAB, spans, memory: cut(&mut memory, plane), output })
+        });
+        let used = tasks.iter().flatten().count();
+        control.each(&mut tasks[..used], |task| {
+            let Some(slab) = task else { return };
+            match &clearance {
+                Some(clearance) => {
+                    let words = &mut *slab.output.voxels;
+                    planes(grid, input.draft, clearance, slab.first, slab.memory, words);
+                }
+                None => slab.output.voxels.fill(0),
+            }
+            slab.output.write(input, slab.spans.iter());
+        })?;
+        control.tick(grid.voxels() as usize, total - slabs.len(), total)?;
+    }
+    Ok(())
+}
+
+impl Output<'_> {
+    /// Writes the lists of `spans`, and puts them or the exit boxes that are there
+    /// into the voxels.
+    fn write<'d>(&mut self, input: &Input<'_>, spans: impl Iterator<Item = &'d Span>) {
+        let mut end = 0;
+        for (word, &span) in self.voxels.iter_mut().zip(spans) {
+            *word = match input.draft.list(span) {
+                [] => EMPTY << TAG_SHIFT | *word,
+                [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
+                list => {
+                    self.refs[end] = *word;
+                    self.refs[end + 1] = span.count;
+                    let to = &mut self.refs[end + LIST_HEAD..][..list.len()];
+                    for (to, &object) in to.iter_mut().zip(list) {
+                        let triangle = object & GRID_BIT == 0;
+                        *to = if triangle { input.numbers[object as usize] } else { object };
+                    }
+                    to.sort_unstable();
+                    let place = LIST << TAG_SHIFT | (self.first + end as u32);
+                    end += LIST_HEAD + list.len();
+                    place
+                }
+            };
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! AUTO's quality and compactness change how fine the structure is and nothing
+//! that a ray can tell; the other structures keep to their own parameters.
+#![allow(missing_docs)]
+
+mod common;
+
+use common::{adversarial_rays, assert_same, build, ray, structures};
+use hug::{Options, Quality};
+use hug_kit::{scenes, soups};
+
+const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Default, Quality::High];
+
+fn all() -> impl Iterator<Item = Options> {
+    QUALITIES.into_iter().flat_map(|quality| {
+        [false, true].map(|compact| Options { quality, compact, ..Options::default() })
+    })
+}
+
+#[test]
+fn finer_structures_are_larger() {
+    let mesh = scenes::kitchen().mesh;
+    let size = |options| build(&mesh, &options).view().bytes().len();
+    let sizes = QUALITIES.map(|quality| size(Options { quality, ..Options::default() }));
+    assert!(sizes.is_sorted() && sizes[0] < sizes[2], "{sizes:?}");
+    let compact = size(Options { compact: true, ..Options::default() });
+    assert!(compact < sizes[0], "{compact} {sizes:?}");
+}
+
+#[test]
+fn a_ray_cannot_tell() {
+    let mesh = soups::clustered(900);
+    let expected = build(&mesh, &Options::default());
+    for options in all() {
+        let scene = build(&mesh, &options);
+        for (_, r) in adversarial_rays(&mesh, 1, 50) {
+            let r = ray(&r);
+            let hits = [&scene, &expected].map(|s| s.view().intersect(&r));
+            assert_same(&hits[0], &hits[1], &r, &format!("{options:?}"));
+        }
+    }
+}
+
+#[test]
+fn compact_is_compact_whatever_the_quality() {
+    let mesh = soups::clustered(900);
+    let bytes = |quality| {
+        let scene = build(&mesh, &Options { quality, compact: true, ..Options::default() });
+        scene.view().bytes().to_vec()
+    };
+    assert!(QUALITIES.iter().all(|&q| bytes(q) == bytes(Quality::Default)));
+}
+
+#[test]
+fn other_structures_keep_their_parameters() {
+    let mesh = soups::tangle(1, 600);
+    for (name, normal) in structures() {
+        for explicit in [normal, Options { alpha: 1.7, maxp: 9, ..normal }] {
+            let expected = build(&mesh, &explicit);
+            for Options { quality, compact, .. } in all() {
+                let scene = build(&mesh, &Options { quality, compact, ..explicit });
+                assert!(scene.view().bytes() == expected.view().bytes(), "{name}");
+            }
+        }
+    }
+}
