@@ -10,6 +10,8 @@ int main(void)
     check_geometries();
     check_build_into();
     check_allocators();
+    check_callbacks();
+    check_rebuild();
     check_open();
     check_queries();
     check_statistics();

@@ -37,6 +37,12 @@
 #define HUG_BUILD_COMPACT 2
 
 /**
+ * hug_build flag: the scene keeps the build's scratch memory, so that hug_rebuild
+ * allocates nothing. hug_free frees it too.
+ */
+#define HUG_BUILD_KEEP_SCRATCH 4
+
+/**
  * hug_open flag: the bytes come from this library and are not checked.
  * Damaged bytes then make queries undefined.
  */
@@ -239,7 +245,7 @@ typedef struct {
    */
   uint32_t flags;
   /**
-   * hug_build only: the allocator, or both NULL for the default one.
+   * hug_build only: the allocator, or both NULL for the default one. hug_rebuild uses the one of the scene.
    */
   hug_alloc_fn alloc;
   /**
@@ -711,6 +717,10 @@ extern "C" {
  * a coordinate that is not finite, or with no area, are dropped and counted
  * (hug_stats). Cost: near linear in triangles and references.
  *
+ * With progress, the build can be watched and cancelled; with parallel_for, parts
+ * of it run on the caller's threads. Nothing of a build that failed or was
+ * cancelled stays allocated.
+ *
  * Threads: builds of different scenes may run at the same time.
  *
  * # Safety
@@ -777,6 +787,30 @@ hug_status hug_open(const void *bytes, size_t len, uint32_t flags, const hug_sce
  * scene must be valid or NULL, len writable or NULL.
  */
 const void *hug_data(const hug_scene *scene, size_t *len);
+
+/**
+ * Builds a scene of hug_build anew, in place: for triangles that have moved. The
+ * bytes are those that hug_build would make.
+ *
+ * Nothing is allocated for a scene that was built with HUG_BUILD_KEEP_SCRATCH;
+ * for others the scratch memory is, by the scene's allocator, and freed again.
+ * alloc, free and user of desc are not used, and HUG_BUILD_KEEP_SCRATCH in it
+ * changes nothing. HUG_ERROR_BUFFER_TOO_SMALL if what is there does not suffice: the
+ * arena for the new structure, or the kept scratch memory (more triangles, or
+ * options with larger bounds in hug_measure).
+ *
+ * After an error the scene is as it was before, with one exception: a build that
+ * fails or is cancelled when it has begun to write, about half-way, leaves an
+ * empty scene.
+ *
+ * Threads: no query may be running on the scene, and none may begin before this
+ * returns.
+ *
+ * # Safety
+ * scene must come from hug_build; desc and what it points to must be readable, and
+ * lie outside of the scene.
+ */
+hug_status hug_rebuild(hug_scene *scene, const hug_build_desc *desc);
 
 /**
  * Finds the closest hit. Returns 1 and writes the hit, or returns 0 and

@@ -21,6 +21,8 @@ void check_descriptors(void);
 void check_geometries(void);
 void check_build_into(void);
 void check_allocators(void);
+void check_callbacks(void);
+void check_rebuild(void);
 void check_open(void);
 void check_queries(void);
 void check_statistics(void);

@@ -131,7 +131,7 @@ static void check_flags(void)
 {
     fixture f;
     fixture_make(&f);
-    f.desc.flags = 4;
+    f.desc.flags = 8;
     REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
     f.desc.flags = HUG_BUILD_COMPACT | 0x80000000u;
     REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);

@@ -2,12 +2,13 @@
 
 use core::ffi::c_void;
 
+use super::callbacks::Callbacks;
 use super::desc::Parsed;
 use super::guard::{guard, overlap};
 use super::memory::{Allocator, Block};
 use super::types::{
-    HUG_ERROR_ALIGNMENT, HUG_ERROR_INVALID_VALUE, HUG_ERROR_NULL, HUG_ERROR_OVERLAP, HUG_OK,
-    HUG_OPEN_TRUSTED, hug_build_desc, hug_status,
+    HUG_BUILD_KEEP_SCRATCH, HUG_ERROR_ALIGNMENT, HUG_ERROR_INVALID_VALUE, HUG_ERROR_NULL,
+    HUG_ERROR_OVERLAP, HUG_OK, HUG_OPEN_TRUSTED, hug_build_desc, hug_status,
 };
 use crate::Error;
 use crate::arena::{self, View};
@@ -24,6 +25,10 @@ pub struct hug_scene(());
 /// the scene, to be passed to hug_free; on failure it is NULL. Triangles with
 /// a coordinate that is not finite, or with no area, are dropped and counted
 /// (hug_stats). Cost: near linear in triangles and references.
+///
+/// With progress, the build can be watched and cancelled; with parallel_for, parts
+/// of it run on the caller's threads. Nothing of a build that failed or was
+/// cancelled stays allocated.
 ///
 /// Threads: builds of different scenes may run at the same time.
 ///
@@ -43,15 +48,17 @@ pub unsafe extern "C" fn hug_build(
         // SAFETY: readable by contract.
         let parsed = unsafe { Parsed::read(desc) }?;
         let allocator = Allocator::new(&parsed.desc)?;
-        let sizes = build::measure_count(parsed.triangle_count()?, &parsed.options)?;
-        let size = sizes.scratch.checked_add(parsed.soup_bytes()?).ok_or(Error::Overflow)?;
-        let mut scratch = Block::scratch(&allocator, size)?;
-        let (soup, scratch) = parsed.soup(scratch.bytes())?;
-        let plan = build::plan(soup, &parsed.options, scratch)?;
-        let mut block = Block::scene(&allocator, plan.arena_bytes())?;
-        plan.write(block.bytes())?;
+        let mut scratch = Block::scratch(&allocator, parsed.scratch_bytes()?)?;
+        let block = Callbacks::new(&parsed.desc).run(|control| {
+            let (soup, scratch) = parsed.soup(scratch.bytes())?;
+            let plan = build::plan_with(soup, &parsed.options, scratch, control)?;
+            let mut block = Block::scene(&allocator, plan.arena_bytes())?;
+            plan.write_with(block.bytes(), control)?;
+            Ok(block)
+        })?;
+        let kept = (parsed.desc.flags & HUG_BUILD_KEEP_SCRATCH != 0).then_some(scratch);
         // SAFETY: out was checked above.
-        unsafe { out.write(block.into_scene()) };
+        unsafe { out.write(block.into_scene(kept)) };
         Ok(())
     })
 }
@@ -87,11 +94,10 @@ pub unsafe extern "C" fn hug_measure(
         }
         // SAFETY: readable by contract.
         let parsed = unsafe { Parsed::read(desc) }?;
-        let sizes = build::measure_count(parsed.triangle_count()?, &parsed.options)?;
-        let scratch = sizes.scratch.checked_add(parsed.soup_bytes()?).ok_or(Error::Overflow)?;
+        let (arena, scratch) = (parsed.sizes()?.arena, parsed.scratch_bytes()?);
         // SAFETY: not NULL, writable by contract.
         unsafe {
-            arena_bytes.write(sizes.arena);
+            arena_bytes.write(arena);
             scratch_bytes.write(scratch);
         }
         Ok(())
@@ -145,7 +151,9 @@ pub unsafe extern "C" fn hug_build_into(
             )
         };
         let (soup, scratch) = parsed.soup(scratch)?;
-        build::plan(soup, &parsed.options, scratch)?.write(arena)?;
+        Callbacks::new(&parsed.desc).run(|control| {
+            build::build_into_with(soup, &parsed.options, scratch, arena, control).map(|_| ())
+        })?;
         // SAFETY: out was checked above.
         unsafe { out.write(arena.as_ptr().cast()) };
         Ok(())

@@ -4,10 +4,11 @@ use core::mem::MaybeUninit;
 
 use super::guard::overlap;
 use super::types::{
-    HUG_BUILD_COMPACT, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS,
-    HUG_HIERARCHY_PAPER, HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, HUG_QUALITY_FAST,
-    HUG_QUALITY_HIGH, hug_build_desc, hug_geometry,
+    HUG_BUILD_COMPACT, HUG_BUILD_KEEP_SCRATCH, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN,
+    HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER, HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32,
+    HUG_QUALITY_FAST, HUG_QUALITY_HIGH, hug_build_desc, hug_geometry,
 };
+use crate::build::{self, Sizes};
 use crate::geometry::{Geometry, Indices};
 use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
 use crate::{Error, MAX_TRIANGLES};
@@ -65,14 +66,24 @@ impl<'a> Parsed<'a> {
     }
 
     /// Number of triangles in all geometries.
-    pub fn triangle_count(&self) -> Result<usize, Error> {
+    fn triangle_count(&self) -> Result<usize, Error> {
         let mut counts = self.geometries.iter().map(|g| g.triangle_count);
         let sum = counts.try_fold(0usize, usize::checked_add);
         sum.filter(|&n| n <= MAX_TRIANGLES).ok_or(Error::Limit)
     }
 
+    /// What the build proper needs.
+    pub fn sizes(&self) -> Result<Sizes, Error> {
+        build::measure_count(self.triangle_count()?, &self.options)
+    }
+
+    /// Scratch memory for the build and [`Parsed::soup`].
+    pub fn scratch_bytes(&self) -> Result<usize, Error> {
+        self.sizes()?.scratch.checked_add(self.soup_bytes()?).ok_or(Error::Overflow)
+    }
+
     /// Bytes that [`Parsed::soup`] needs.
-    pub fn soup_bytes(&self) -> Result<usize, Error> {
+    fn soup_bytes(&self) -> Result<usize, Error> {
         let bytes = self.geometries.len().checked_mul(size_of::<Geometry<'_>>());
         bytes
             .and_then(|b| b.checked_add(2 * 64)?.checked_next_multiple_of(64))
@@ -222,7 +233,8 @@ fn or<T: PartialEq + Default>(value: T, default: T) -> T {
 /// `filter_thresholds` is NULL or readable.
 unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
     let normal = Options::default();
-    if d.flags & !(HUG_BUILD_PLAIN_STEPS | HUG_BUILD_COMPACT) != 0 || d.reserved != 0 {
+    let flags = HUG_BUILD_PLAIN_STEPS | HUG_BUILD_COMPACT | HUG_BUILD_KEEP_SCRATCH;
+    if d.flags & !flags != 0 || d.reserved != 0 {
         return Err(Error::InvalidValue);
     }
     Ok(Options {

@@ -12,8 +12,9 @@ pub fn guard(f: impl FnOnce() -> Result<(), Error>) -> hug_status {
     }
 }
 
+/// Runs `f` and stops its panic, where panics unwind.
 #[cfg(feature = "std")]
-fn caught<R>(f: impl FnOnce() -> R) -> Result<R, ()> {
+pub fn caught<R>(f: impl FnOnce() -> R) -> Result<R, ()> {
     // What a panic leaves behind is scratch memory, which is freed, and an out
     // pointer, which is still NULL.
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(f)).map_err(|_| ())
@@ -22,7 +23,7 @@ fn caught<R>(f: impl FnOnce() -> R) -> Result<R, ()> {
 /// Without `std` a panic does not unwind: the panic handler ends it.
 #[cfg(not(feature = "std"))]
 #[allow(clippy::unnecessary_wraps)]
-fn caught<R>(f: impl FnOnce() -> R) -> Result<R, ()> {
+pub fn caught<R>(f: impl FnOnce() -> R) -> Result<R, ()> {
     Ok(f())
 }
 

@@ -21,6 +21,10 @@ pub struct Allocator {
 struct Prefix {
     allocator: Allocator,
     size: usize,
+    /// The scratch memory that is kept for [`super::hug_rebuild`], or NULL.
+    scratch: *mut u8,
+    scratch_size: usize,
+    scratch_align: usize,
 }
 
 const _: () = assert!(size_of::<Prefix>() == ALIGN);
@@ -130,6 +134,11 @@ impl Block {
         Ok(Self { allocator: *allocator, memory, size, head, align })
     }
 
+    /// Where the block came from.
+    pub fn allocator(&self) -> Allocator {
+        self.allocator
+    }
+
     pub fn bytes(&mut self) -> &mut [u8] {
         // SAFETY: owned and initialised.
         unsafe {
@@ -137,9 +146,13 @@ impl Block {
         }
     }
 
-    /// Gives the block away as a scene handle.
-    pub fn into_scene(self) -> *mut hug_scene {
-        let prefix = Prefix { allocator: self.allocator, size: self.size };
+    /// Gives the block away as a scene handle, with scratch memory to keep.
+    pub fn into_scene(self, kept: Option<Self>) -> *mut hug_scene {
+        let (scratch, scratch_size, scratch_align) =
+            kept.as_ref().map_or((core::ptr::null_mut(), 0, 0), |s| (s.memory, s.size, s.align));
+        core::mem::forget(kept);
+        let Self { allocator, size, .. } = self;
+        let prefix = Prefix { allocator, size, scratch, scratch_size, scratch_align };
         // SAFETY: the block starts with room for the prefix, aligned to 64.
         let scene = unsafe {
             self.memory.cast::<Prefix>().write(prefix);
@@ -149,15 +162,32 @@ impl Block {
         scene.cast()
     }
 
+    /// A scene's block again, and the scratch memory it keeps.
+    ///
+    /// # Safety
+    /// `scene` came from [`Block::into_scene`] and is not used until it does so again.
+    pub unsafe fn of_scene(scene: *mut hug_scene) -> (Self, Option<Self>) {
+        // SAFETY: the prefix lies right before the scene.
+        let (memory, prefix) = unsafe {
+            let memory = scene.cast::<u8>().sub(ALIGN);
+            (memory, memory.cast::<Prefix>().read())
+        };
+        let Prefix { allocator, size, scratch, scratch_size, scratch_align } = prefix;
+        let kept =
+            Self { allocator, memory: scratch, size: scratch_size, head: 0, align: scratch_align };
+        let block = Self { allocator, memory, size, head: ALIGN, align: ALIGN };
+        if scratch.is_null() {
+            core::mem::forget(kept);
+            return (block, None);
+        }
+        (block, Some(kept))
+    }
+
     /// # Safety
     /// `scene` came from [`Block::into_scene`] and is not used any more.
     pub unsafe fn free_scene(scene: *mut hug_scene) {
-        // SAFETY: the prefix lies right before the scene.
-        unsafe {
-            let memory = scene.cast::<u8>().sub(ALIGN);
-            let Prefix { allocator, size } = memory.cast::<Prefix>().read();
-            allocator.put(memory, size, ALIGN);
-        }
+        // SAFETY: by the caller; both are freed when dropped.
+        drop(unsafe { Self::of_scene(scene) });
     }
 }
 

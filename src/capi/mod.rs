@@ -11,13 +11,16 @@
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
 
 mod build;
+mod callbacks;
 mod desc;
 mod guard;
 mod memory;
 mod query;
+mod rebuild;
 mod stats;
 pub mod types;
 
 pub use build::*;
 pub use query::*;
+pub use rebuild::*;
 pub use stats::*;

@@ -110,6 +110,10 @@ pub const HUG_BUILD_PLAIN_STEPS: u32 = 1;
 /// the quality.
 pub const HUG_BUILD_COMPACT: u32 = 2;
 
+/// hug_build flag: the scene keeps the build's scratch memory, so that hug_rebuild
+/// allocates nothing. hug_free frees it too.
+pub const HUG_BUILD_KEEP_SCRATCH: u32 = 4;
+
 /// hug_open flag: the bytes come from this library and are not checked.
 /// Damaged bytes then make queries undefined.
 pub const HUG_OPEN_TRUSTED: u32 = 1;
@@ -207,7 +211,7 @@ pub struct hug_build_desc {
     pub max_refs: u32,
     /// HUG_BUILD_* flags.
     pub flags: u32,
-    /// hug_build only: the allocator, or both NULL for the default one.
+    /// hug_build only: the allocator, or both NULL for the default one. hug_rebuild uses the one of the scene.
     pub alloc: hug_alloc_fn,
     /// hug_build only: frees what alloc returned, also from hug_free.
     pub free: hug_free_fn,
