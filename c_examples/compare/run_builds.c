@@ -15,9 +15,9 @@
 typedef struct {
     comparison *c;
     hug_job hug[COMPARED_COUNT];
-    hug_job shared[COMPARED_COUNT]; /* by the team */
+    hug_job shared[COMPARED_COUNT]; /* on the lent threads */
     hug_scene *shared_built[COMPARED_COUNT];
-    team team;
+    team lent;
     embree_job threads;
     contender contenders[JOBS];
     build_row *rows[JOBS]; /* what is to be filled for each */
@@ -42,13 +42,13 @@ static void enter_shared(builder *b)
 {
     comparison *c = b->c;
     int i;
-    b->team.threads = c->with->threads;
+    b->lent.threads = c->with->threads;
     for (i = 0; i < COMPARED_COUNT; i++) {
         if (!(c->with->structures & (1u << i)))
             continue;
         hug_job_enter(&b->shared[i], c->from, &c->with->build, (hug_structure)i,
                       &b->shared_built[i], &b->contenders[b->count]);
-        hug_job_share(&b->shared[i], &b->team);
+        hug_job_share(&b->shared[i], &b->lent);
         enter(b, &c->threaded_builds[i], structure_names[i], 0)->threads = c->with->threads;
     }
 }
