@@ -207,10 +207,10 @@ impl Options {
             return *self;
         }
         let (world_alpha, maxp) = match self.quality {
-            _ if self.compact => (0.8, 64),
-            Quality::Fast => (1.0, 48),
-            Quality::Default => (1.26, 24),
-            Quality::High => (1.6, 12),
+            _ if self.compact => (0.7, 128),
+            Quality::Fast => (0.8, 96),
+            Quality::Default => (1.26, 64),
+            Quality::High => (1.6, 32),
         };
         let world_alpha = Some(world_alpha);
         Self { structure: Structure::Recursive, maxp, world_alpha, ..*self }
