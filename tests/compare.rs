@@ -91,7 +91,9 @@ fn peers_and_instruction_sets_are_rows() {
 fn more_threads_are_more_columns() {
     let arguments = [&SMALL[..], &["--threads", "2", "--structure", "hug"]].concat();
     let csv = printed(None, &arguments);
-    let more = format!("{COLUMNS},embree_threads_build_ms,embree_threads_build_wall_ms");
+    let more = ["embree_threads_build_ms", "embree_threads_build_wall_ms"];
+    let hug = ["hug_threads_build_ms", "hug_threads_build_wall_ms"];
+    let more = format!("{COLUMNS},{},{}", more.join(","), hug.join(","));
     assert_eq!(csv.lines().next(), Some(&*more));
 }
 
@@ -111,6 +113,8 @@ fn bad_options_are_refused() {
         &["--csv", "--markdown"],
         &["--rounds", "0"],
         &["--build-rounds", "1.5"],
+        &["--quality", "best"],
+        &["--quality", "fast,high"],
         &["--threads", "-1"],
         &["--threads", "0"],
     ] {

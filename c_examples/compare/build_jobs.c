@@ -32,6 +32,12 @@ void hug_job_enter(hug_job *job, const scene *from, const hug_build_desc *option
     out->self = job;
 }
 
+void hug_job_share(hug_job *job, team *with)
+{
+    job->options.parallel_for = team_run;
+    job->options.parallel_user = with;
+}
+
 static int release_side(void *self)
 {
     embree_release((embree_side *)self);

@@ -4,6 +4,7 @@
 
 #include "compare/embree_side.h"
 #include "compare/rounds.h"
+#include "compare/team.h"
 #include "hug.h"
 
 typedef struct {
@@ -15,6 +16,9 @@ typedef struct {
 /* options: all but the structure. */
 void hug_job_enter(hug_job *job, const scene *from, const hug_build_desc *options,
                    hug_structure structure, hug_scene **built, contender *out);
+
+/* The same on the threads of a team. */
+void hug_job_share(hug_job *job, team *with);
 
 /* In a device that is open and stays so. */
 void embree_side_enter(embree_side *side, contender *out);

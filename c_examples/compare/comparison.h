@@ -13,7 +13,8 @@ typedef struct {
     embree_side embree[EMBREE_BUILDS];   /* closed for those */
     build_row builds[COMPARED_COUNT];    /* of the structures, for their lines of CSV */
     build_row peer_builds[EMBREE_BUILDS];
-    build_row threaded;                  /* Embree's on --threads; name NULL without */
+    build_row threaded_builds[COMPARED_COUNT]; /* on --threads; name NULL without */
+    build_row threaded;                        /* Embree's */
     const char *view_name;
     tally tallies[COMPARED_COUNT][RAY_SET_COUNT]; /* of the view */
     results *found;

@@ -52,7 +52,8 @@ void report_query(const comparison *c, const query_row *row, const build_row *bu
     if (c->with->format == FORMAT_TEXT)
         text_query(row);
     else if (c->with->format == FORMAT_CSV)
-        csv_query(c->with, row, build, &c->threaded);
+        csv_query(c->with, row, build, &c->threaded,
+                  build->peer ? NULL : &c->threaded_builds[build - c->builds]);
     fflush(stdout);
 }
 

@@ -11,7 +11,7 @@ enum {
     RATIO_MAX, HUG_BUILD_MS, EMBREE_BUILD_MS, HUG_BYTES, EMBREE_BYTES, HIT_MISMATCH, T_MISMATCH,
     PRIM_MISMATCH, VIEW, NUMBER, HUG_BUILD_WALL_MS, EMBREE_BUILD_WALL_MS, BUILD_RATIO,
     BYTES_PER_TRIANGLE, GRID_BYTES, VOXEL_BYTES, REF_BYTES, TRIANGLE_BYTES, THREADS_BUILD_MS,
-    THREADS_BUILD_WALL_MS, COLUMNS
+    THREADS_BUILD_WALL_MS, HUG_THREADS_BUILD_MS, HUG_THREADS_BUILD_WALL_MS, COLUMNS
 };
 
 static const char *const names[COLUMNS] = {
@@ -20,7 +20,7 @@ static const char *const names[COLUMNS] = {
     "embree_bytes", "hit_mismatch", "t_mismatch", "prim_mismatch", "view", "number",
     "hug_build_wall_ms", "embree_build_wall_ms", "build_ratio", "bytes_per_triangle",
     "grid_bytes", "voxel_bytes", "ref_bytes", "triangle_bytes", "embree_threads_build_ms",
-    "embree_threads_build_wall_ms"};
+    "embree_threads_build_wall_ms", "hug_threads_build_ms", "hug_threads_build_wall_ms"};
 
 /* One line: what is not set stays empty. */
 typedef struct {
@@ -54,7 +54,7 @@ static void put(const char *text)
     putchar('"');
 }
 
-/* The last two columns are there only with --threads. */
+/* The last four columns are there only with --threads. */
 static int columns(const settings *with)
 {
     return with->threads > 1 ? COLUMNS : THREADS_BUILD_MS;
@@ -108,7 +108,7 @@ static void set_build(line *l, const build_row *b)
 }
 
 void csv_query(const settings *with, const query_row *row, const build_row *build,
-               const build_row *threaded)
+               const build_row *threaded, const build_row *hug_threaded)
 {
     double own = millions(row->rays, row->seconds);
     line l;
@@ -130,6 +130,10 @@ void csv_query(const settings *with, const query_row *row, const build_row *buil
     set_build(&l, build);
     set(&l, THREADS_BUILD_MS, "%.3f", 1e3 * threaded->cpu);
     set(&l, THREADS_BUILD_WALL_MS, "%.3f", 1e3 * threaded->wall);
+    if (hug_threaded) {
+        set(&l, HUG_THREADS_BUILD_MS, "%.3f", 1e3 * hug_threaded->cpu);
+        set(&l, HUG_THREADS_BUILD_WALL_MS, "%.3f", 1e3 * hug_threaded->wall);
+    }
     put_line(with, &l);
 }
 

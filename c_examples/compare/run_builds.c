@@ -9,13 +9,15 @@
 #include "message.h"
 #include "structures.h"
 
-/* The structures, Embree's ways, and Embree on several threads. A library that
- * builds on the caller's threads is one more job of build_jobs.h. */
-#define JOBS (COMPARED_COUNT + EMBREE_BUILDS + 1)
+/* The structures and Embree's ways; the structures and Embree on several threads. */
+#define JOBS (2 * COMPARED_COUNT + EMBREE_BUILDS + 1)
 
 typedef struct {
     comparison *c;
     hug_job hug[COMPARED_COUNT];
+    hug_job shared[COMPARED_COUNT]; /* on the lent threads */
+    hug_scene *shared_built[COMPARED_COUNT];
+    team lent;
     embree_job threads;
     contender contenders[JOBS];
     build_row *rows[JOBS]; /* what is to be filled for each */
@@ -33,6 +35,22 @@ static build_row *enter(builder *b, build_row *row, const char *name, int peer)
     row->threads = 1;
     b->rows[b->count++] = row;
     return row;
+}
+
+/* The structures on several threads. */
+static void enter_shared(builder *b)
+{
+    comparison *c = b->c;
+    int i;
+    b->lent.threads = c->with->threads;
+    for (i = 0; i < COMPARED_COUNT; i++) {
+        if (!(c->with->structures & (1u << i)))
+            continue;
+        hug_job_enter(&b->shared[i], c->from, &c->with->build, (hug_structure)i,
+                      &b->shared_built[i], &b->contenders[b->count]);
+        hug_job_share(&b->shared[i], &b->lent);
+        enter(b, &c->threaded_builds[i], structure_names[i], 0)->threads = c->with->threads;
+    }
 }
 
 static int enter_all(builder *b)
@@ -56,6 +74,7 @@ static int enter_all(builder *b)
         enter(b, &c->peer_builds[i], embree_kinds[i].name, 1);
     }
     if (c->with->threads > 1) {
+        enter_shared(b);
         embree_job_enter(&b->threads, c->from, &embree_kinds[EMBREE_MEDIUM], c->with->threads,
                          &b->contenders[b->count]);
         enter(b, &c->threaded, embree_kinds[EMBREE_MEDIUM].name, 1)->threads = c->with->threads;
@@ -87,6 +106,7 @@ static int fill_sizes(builder *b)
     int i;
     for (i = 0; i < COMPARED_COUNT; i++) {
         hug_scene_stats stats;
+        build_row *shared = &c->threaded_builds[i];
         if (!c->built[i])
             continue;
         if (!structure_stats(c->built[i], &stats))
@@ -97,6 +117,11 @@ static int fill_sizes(builder *b)
         c->builds[i].voxels = stats.voxel_bytes;
         c->builds[i].refs = stats.ref_bytes;
         c->builds[i].triangle_bytes = stats.triangle_bytes;
+        shared->bytes = c->builds[i].bytes;
+        shared->grids = c->builds[i].grids;
+        shared->voxels = c->builds[i].voxels;
+        shared->refs = c->builds[i].refs;
+        shared->triangle_bytes = c->builds[i].triangle_bytes;
     }
     for (i = 0; i < EMBREE_BUILDS; i++)
         c->peer_builds[i].bytes = c->embree[i].scene_bytes;
@@ -132,11 +157,13 @@ static int keep(builder *b)
 int run_builds(comparison *c)
 {
     builder b;
-    int ok;
+    int i, ok;
     memset(&b, 0, sizeof b);
     b.c = c;
     ok = enter_all(&b) && measure(&b) && fill_sizes(&b) && keep(&b);
     embree_close(&b.threads.side);
+    for (i = 0; i < COMPARED_COUNT; i++)
+        hug_free(b.shared_built[i]);
     free(b.seconds);
     return ok;
 }

@@ -87,11 +87,12 @@ static int consistent(const settings *s, const char *views, int csv, int markdow
 int settings_read(int argc, char **argv, settings *out)
 {
     static const char *const view_words[2] = {"first", "all"};
+    static const char *const quality_words[3] = {"default", "fast", "high"};
     const char *structures = NULL, *sets = "all", *queries = "all", *peer_list = "none";
     const char *size = "1024", *rounds = "5", *build_rounds = NULL, *threads = "1";
-    const char *views = NULL, *isas = NULL;
-    int csv = 0, markdown = 0;
-    unsigned every_view = 0, frame;
+    const char *views = NULL, *isas = NULL, *quality = "default";
+    int csv = 0, markdown = 0, compact = 0;
+    unsigned every_view = 0, frame, fineness;
     const option table[] = {{"--scene", &out->scene_name, NULL},
                             {"--all", NULL, &out->all},
                             {"--views", &views, NULL},
@@ -107,6 +108,8 @@ int settings_read(int argc, char **argv, settings *out)
                             {"--rounds", &rounds, NULL},
                             {"--build-rounds", &build_rounds, NULL},
                             {"--threads", &threads, NULL},
+                            {"--quality", &quality, NULL},
+                            {"--compact", NULL, &compact},
                             {"--csv", NULL, &csv},
                             {"--markdown", NULL, &markdown},
                             {"--help", NULL, &out->help}};
@@ -121,6 +124,7 @@ int settings_read(int argc, char **argv, settings *out)
     if (!read_structures(structures, out->all, &out->structures) ||
         !parse_choice("--rays", sets, ray_set_names, RAY_SET_COUNT, &out->sets) ||
         !read_queries(queries, &out->queries) || !read_peers(peer_list, &out->peers) ||
+        !parse_one("--quality", quality, quality_words, 3, &fineness) ||
         (views && !parse_one("--views", views, view_words, 2, &every_view)))
         return 0;
     if (!read_number("--size", size, 1, KIT_MAX_FRAME, &frame) ||
@@ -133,6 +137,8 @@ int settings_read(int argc, char **argv, settings *out)
         return 0;
     if (!out->all && !out->scene_name)
         out->scene_name = "kitchen";
+    out->build.quality = fineness;
+    out->build.flags = compact ? HUG_BUILD_COMPACT : 0;
     out->every_view = (int)every_view;
     out->size = frame;
     out->format = csv ? FORMAT_CSV : markdown ? FORMAT_MARKDOWN : FORMAT_TEXT;
