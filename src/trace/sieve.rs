@@ -1,17 +1,16 @@
 //! A first look at a few triangles, in `f32`: out for certain, or worth deciding?
 //!
 //! Triangles are sheared so that the ray becomes a coordinate axis (Woop, Benthin &
-//! Wald 2013); a triangle is out if the
-//! ray passes two of its edges on opposite sides by more than the error bound. A hit
-//! is never out. It is out, too, if the z of all corners is the z of parameters out of
-//! range. With e = 2^-24 and R the largest distance, along an axis, from
-//! the origin to the scene's box, a sheared coordinate is off by at most `6.1 e R`
-//! (difference 1, slope 1, product 1, third difference 1 twice, in units of e R). Call
-//! d = 8 e R. An edge product of corners i and j is then off by at most `2 d (|x_i|
-//! + |y_i| + |x_j| + |y_j|) + 4 d^2`, its own rounding included; the bound used is
-//! `3 d` times the sum of `|x| + |y| + 2 d` over all three. A fused multiply-add only
-//! leaves roundings out. Scenes so large or small that `f32` products leave their
-//! range are not sieved.
+//! Wald 2013); a triangle is out if the ray passes two of its edges on opposite sides
+//! by more than the error bound, or if its corners' z all are those of parameters
+//! out of range. A hit is never out: with e = 2^-24 and R the largest distance, along an
+//! axis, from the origin to the scene's box, a sheared coordinate is off by at most
+//! `6.1 e R` (difference 1, slope 1, product 1, third difference 1 twice, in units of
+//! e R). Call d = 8 e R. An edge product of corners i and j is then off by at most
+//! `2 d` times the sum of their `|x|` and `|y|`, and `4 d^2`, its own rounding
+//! included; the bound used is `3 d` times the sum of `|x| + |y| + 2 d` over all three.
+//! A fused multiply-add only leaves roundings out. Scenes so large or small that
+//! `f32` products leave their range are not sieved.
 
 use crate::arena::{Axis, Sections};
 use crate::ray::Ray;

@@ -155,8 +155,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 }
                 step
             };
-            // False for NaN too.
-            if !(step.out < stop) {
+            // No NaN passes this.
+            let goes_on = step.out < stop;
+            if !goes_on {
                 return false;
             }
             s = step.out;
