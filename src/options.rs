@@ -206,14 +206,14 @@ impl Options {
         if self.structure != Structure::Auto {
             return *self;
         }
-        let (world_alpha, maxp) = match self.quality {
-            _ if self.compact => (0.7, 128),
-            Quality::Fast => (0.8, 96),
-            Quality::Default => (1.26, 64),
-            Quality::High => (1.6, 32),
+        let (world_alpha, alpha, maxp) = match self.quality {
+            _ if self.compact => (0.5, 0.5, 128),
+            Quality::Fast => (0.8, self.alpha, 96),
+            Quality::Default => (1.26, self.alpha, 64),
+            Quality::High => (1.6, self.alpha, 32),
         };
         let world_alpha = Some(world_alpha);
-        Self { structure: Structure::Recursive, maxp, world_alpha, ..*self }
+        Self { structure: Structure::Recursive, maxp, alpha, world_alpha, ..*self }
     }
 
     /// The alpha of the outermost grid.

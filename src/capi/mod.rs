@@ -15,6 +15,7 @@ mod callbacks;
 mod desc;
 mod guard;
 mod memory;
+mod options;
 mod query;
 mod rebuild;
 mod stats;
