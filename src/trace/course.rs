@@ -4,20 +4,24 @@
 //! tau = t `per_t`, such that the largest component of the direction is in [1, 2);
 //! both are powers of two, so nothing is rounded and `f32` can hold all speeds.
 //!
-//! A component of the direction under 2^-95 is taken for 2^-95: across the scene's box,
-//! which is less than 4 wide, that moves the ray by less than 2^-13 of the smallest
-//! voxel there can be (2^-79, `build::frame`). So no axis is special, and nothing is
-//! divided by zero.
+//! A component of the direction under 2^-300 is taken for 2^-300 where the ray enters
+//! a grid, in `f64`, and one under 2^-95 for 2^-95 from there on, in `f32`: across the
+//! scene's box, which is less than 4 wide, that moves the ray by less than 2^-13 of the
+//! smallest voxel there can be (2^-79, `build::frame`). So no axis is special, and
+//! nothing is divided by zero.
 
 use crate::arena::layout::EXIT_BITS;
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
-/// 2^-95, the least component, in lanes; the idle one stays where it is.
-const LEAST: [f64; 4] = {
-    let least = 1.0 / (1u128 << 95) as f64;
-    [least, least, least, 0.0]
-};
+const fn three(x: f64) -> [f64; 4] {
+    [x, x, x, 0.0]
+}
+
+/// The least component, 2^-300, in lanes; the idle one stays where it is.
+const LEAST: [f64; 4] = three(f64::from_bits((1023 - 300) << 52));
+/// The least in `f32`, 2^-95, likewise.
+const LEAST_SPEED: [f64; 4] = three(f64::from_bits((1023 - 95) << 52));
 /// The bits of an `f64`'s exponent.
 const EXPONENT: u64 = 0x7ff << 52;
 
@@ -87,7 +91,7 @@ impl<'a, L: Lanes> Course<'a, L> {
             unit,
             org: l.mul_f64(l.widen(org), scale),
             dir,
-            speed: l.narrow(size),
+            speed: l.narrow(l.max_f64(size, l.load_f64(&LEAST_SPEED))),
             per_t,
             down: l.load_i32(&DOWN[descends]),
             shift: l.load_i32(&SHIFTS[descends]),
