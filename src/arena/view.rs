@@ -15,7 +15,7 @@ use super::layout::{
     GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
 use crate::Error;
-use crate::simd::fpenv;
+use crate::simd::{Lanes, fpenv};
 
 /// A scene in borrowed memory: an arena ready for queries. Copying it is free.
 #[derive(Clone, Copy)]
@@ -143,6 +143,40 @@ impl<'a> Sections<'a> {
         unsafe {
             let head = self.refs.add(offset as usize);
             (*head, core::slice::from_raw_parts(head.add(LIST_HEAD), *head.add(1) as usize))
+        }
+    }
+
+    /// `n` references from `at` on, all of one list.
+    #[inline(always)]
+    pub fn refs(&self, at: u32, n: u32) -> &'a [u32] {
+        // SAFETY: see the module.
+        unsafe { core::slice::from_raw_parts(self.refs.add(at as usize), n as usize) }
+    }
+
+    /// Fetches grid number `i`.
+    #[inline(always)]
+    pub fn fetch_grid<L: Lanes>(&self, l: L, i: u32) {
+        l.prefetch(self.grids.wrapping_add(i as usize));
+    }
+
+    /// Fetches a voxel; any number will do.
+    #[inline(always)]
+    pub fn fetch_voxel<L: Lanes>(&self, l: L, i: u32) {
+        l.prefetch(self.voxels.wrapping_add(i as usize));
+    }
+
+    /// Fetches the start of the list at `offset`.
+    #[inline(always)]
+    pub fn fetch_list<L: Lanes>(&self, l: L, offset: u32) {
+        l.prefetch(self.refs.wrapping_add(offset as usize));
+    }
+
+    /// Fetches triangle number `i` and those behind it, five at most.
+    #[inline(always)]
+    pub fn fetch_triangles<L: Lanes>(&self, l: L, i: u32) {
+        let at = self.triangles.wrapping_add(i as usize).cast::<u8>();
+        for line in 0..4 {
+            l.prefetch(at.wrapping_add(64 * line));
         }
     }
 

@@ -15,6 +15,9 @@ pub(crate) trait Lanes: Copy {
     type Wide: Copy;
     const WIDE: usize;
 
+    /// Brings what `at` points to closer, if that is quicker; reads nothing.
+    fn prefetch<T>(self, at: *const T);
+
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;
 
@@ -68,8 +71,7 @@ pub(crate) trait Lanes: Copy {
     fn equal(self, a: Self::F32, b: Self::F32) -> Self::I32;
     /// Lane `order[k]` of `a` in lane k.
     fn permute(self, a: Self::F32, order: &[i32; 4]) -> Self::F32;
-    /// Lane K in every lane.
-    fn spread<const K: i32>(self, a: Self::F32) -> Self::Wide;
+    fn array_f32(self, a: Self::F32) -> [f32; 4];
     /// One bit for each of the first three lanes that is negative, -0 included.
     fn signs(self, a: Self::F32) -> u32;
     /// One bit for each of the first three lanes in which `a == b`.

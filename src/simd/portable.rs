@@ -44,6 +44,12 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn prefetch<T>(self, _: *const T) {}
+    #[inline(always)]
+    fn array_f32(self, a: [f32; 4]) -> [f32; 4] {
+        a
+    }
+    #[inline(always)]
     fn load_f64(self, a: &[f64; 4]) -> [f64; 4] {
         *a
     }
@@ -190,10 +196,6 @@ impl Lanes for Portable {
     #[inline(always)]
     fn permute(self, a: [f32; 4], order: &[i32; 4]) -> [f32; 4] {
         order.map(|k| a[k as usize & 3])
-    }
-    #[inline(always)]
-    fn spread<const K: i32>(self, a: [f32; 4]) -> [f32; 4] {
-        [a[K as usize]; 4]
     }
     #[inline(always)]
     fn signs(self, a: [f32; 4]) -> u32 {

@@ -27,8 +27,7 @@ const EXPONENT: u64 = 0x7ff << 52;
 
 /// A ray in lanes x, y, z and an idle one.
 #[derive(Clone, Copy)]
-pub(super) struct Course<'a, L: Lanes> {
-    ray: &'a Ray,
+pub(super) struct Course<L: Lanes> {
     unit: f64,
     /// Origin.
     pub org: L::F64,
@@ -73,10 +72,10 @@ const SHIFTS: [[i32; 4]; 8] = {
     shifts
 };
 
-impl<'a, L: Lanes> Course<'a, L> {
-    /// `org` and `dir` are those of `ray`, with 0 in the idle lane.
+impl<L: Lanes> Course<L> {
+    /// `org` and `dir` have 0 in the idle lane.
     #[inline(always)]
-    pub fn new(l: L, org: L::F32, dir: L::F32, ray: &'a Ray, unit: f64) -> Self {
+    pub fn new(l: L, org: L::F32, dir: L::F32, unit: f64) -> Self {
         let scale = l.splat_f64(unit);
         let d = l.mul_f64(l.widen(dir), scale);
         // A power of two, and 1 over it: every f32 times a unit is a normal f64.
@@ -87,7 +86,6 @@ impl<'a, L: Lanes> Course<'a, L> {
         let size = l.max_f64(l.abs_f64(d), l.load_f64(&LEAST));
         let dir = l.sign_f64(size, d);
         Self {
-            ray,
             unit,
             org: l.mul_f64(l.widen(org), scale),
             dir,
@@ -98,9 +96,9 @@ impl<'a, L: Lanes> Course<'a, L> {
         }
     }
 
-    /// Origin and direction as they are, however small.
-    pub fn exact(&self) -> [[f64; 3]; 2] {
+    /// Origin and direction of `ray`, whose course this is, however small.
+    pub fn exact(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let scale = |v: [f32; 3], by: f64| v.map(|x| f64::from(x) * self.unit / by);
-        [scale(self.ray.org, 1.0), scale(self.ray.dir, self.per_t)]
+        [scale(ray.org, 1.0), scale(ray.dir, self.per_t)]
     }
 }

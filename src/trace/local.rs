@@ -20,13 +20,15 @@
 
 use super::course::Course;
 use super::rebase::rebase;
-use crate::arena::layout::Grid;
+use crate::arena::layout::{EXIT_MAX, Grid};
+use crate::ray::Ray;
 use crate::simd::Lanes;
 
 /// Farthest origin, in voxels, that `f64` walks from directly.
 pub(super) const REACH: f64 = (1u64 << 36) as f64;
 
 /// A ray in a grid's own frame.
+#[derive(Clone, Copy)]
 pub(super) struct Local<L: Lanes> {
     /// Where the ray is at s = 0.
     pub start: L::F32,
@@ -52,10 +54,43 @@ pub(super) struct Local<L: Lanes> {
     pub end: f32,
 }
 
+/// A step: where the ray leaves an exit box, and the voxel there.
+pub(super) struct Step<L: Lanes> {
+    pub out: f32,
+    pub to: L::I32,
+}
+
 impl<L: Lanes> Local<L> {
+    /// In no grid yet.
+    pub fn nowhere(l: L) -> Self {
+        let (none, zero) = (l.splat_f32(0.0), l.splat_i32(0));
+        Self {
+            start: none,
+            speed: none,
+            pace: none,
+            zero: none,
+            at: zero,
+            last: zero,
+            back: zero,
+            first: 0,
+            nx: 0,
+            plane: 0,
+            base: 0.0,
+            slack: 0.0,
+            end: 0.0,
+        }
+    }
+
     /// The part of the ray in `[t0, t1]`, of tau, that can lie in the grid's box.
     #[inline(always)]
-    pub fn enter(l: L, grid: &Grid, course: &Course<'_, L>, t0: f64, t1: f64) -> Option<Self> {
+    pub fn enter(
+        l: L,
+        grid: &Grid,
+        course: &Course<L>,
+        ray: &Ray,
+        t0: f64,
+        t1: f64,
+    ) -> Option<Self> {
         let records = grid.lanes();
         let inv_cell = l.load_f32(records.inv_cell);
         let counts = l.load_u16(records.n);
@@ -65,7 +100,7 @@ impl<L: Lanes> Local<L> {
         let speed = l.mul_f64(course.dir, wide);
         let (mut low, mut high, mut base, mut slack) = (t0, t1, 0.0, 0.0);
         if l.any_beyond(place, REACH) {
-            let moved = rebase(l, grid, course, t0, t1)?;
+            let moved = rebase(l, grid, &course.exact(ray), t0, t1)?;
             place = l.mul_f64(moved.o, wide);
             (low, high, base, slack) = (moved.s0, moved.s1, moved.base, moved.slack);
         }
@@ -107,11 +142,35 @@ impl<L: Lanes> Local<L> {
 
     /// The number of voxel `at`, which must lie in the grid.
     #[inline(always)]
-    pub fn number(&self, l: L, course: &Course<'_, L>, at: L::I32) -> u32 {
+    pub fn number(&self, l: L, course: &Course<L>, at: L::I32) -> u32 {
         // Where the axis is mirrored !at + n is n - 1 - at.
         let [x, y, z, _] = l.array(l.add(l.xor(at, course.down), self.back)).map(|x| x as u32);
         let rows = z.wrapping_mul(self.plane).wrapping_add(y.wrapping_mul(self.nx));
         rows.wrapping_add(x).wrapping_add(self.first)
+    }
+
+    /// Leaves the exit box `exit` of voxel `at`. With `EXACT`, which voxels are
+    /// stepped to depends on no instruction set.
+    #[inline(always)]
+    pub fn step<const EXACT: bool>(
+        &self,
+        l: L,
+        course: &Course<L>,
+        at: L::I32,
+        exit: u32,
+    ) -> Step<L> {
+        let most = l.splat_i32(EXIT_MAX as i32);
+        let reach = l.and(l.shift_right(l.splat_i32(exit as i32), course.shift), most);
+        // The planes behind the box, and where the ray is at the first of them.
+        let behind = l.add(l.add(at, l.splat_i32(1)), reach);
+        let leave = l.mul_add::<EXACT>(l.to_f32(behind), self.pace, self.zero);
+        let lowest = l.lowest(leave);
+        // Off the axis of the exit the position says where, inside the box.
+        let exits = l.equal(leave, lowest);
+        let low = l.select(exits, at, behind);
+        let high = l.sub(l.sub(behind, l.splat_i32(1)), exits);
+        let position = l.truncate(l.mul_add::<EXACT>(lowest, self.speed, self.start));
+        Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
     }
 
     /// Where the walk stops if no tau above `limit` is wanted.

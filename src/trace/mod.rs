@@ -11,6 +11,8 @@ mod local;
 mod query;
 mod rebase;
 mod sieve;
+mod single;
+mod stream;
 mod walk;
 
 pub use counters::Counters;

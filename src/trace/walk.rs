@@ -12,10 +12,10 @@
 
 use super::counters::Count;
 use super::course::Course;
-use super::local::Local;
+use super::local::{Local, Step};
 use super::query::{Query, beyond, visible};
 use super::sieve::Sieve;
-use crate::arena::layout::{EMPTY, EXIT_MAX, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
+use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
 use crate::ray::{NONE, Ray};
 use crate::simd::{Kernel, Lanes};
@@ -40,19 +40,13 @@ pub(crate) struct Walk<'a, Q, C, L: Lanes> {
     lanes: L,
     sections: Sections<'a>,
     ray: &'a Ray,
-    sieve: Sieve<'a, L>,
-    course: Course<'a, L>,
+    sieve: Sieve<'a>,
+    course: Course<L>,
     /// Triangles that were decided lately, by the low bits of their numbers: what is
     /// in many voxels is decided once.
     decided: [u32; DECIDED],
     pub query: Q,
     counters: &'a mut C,
-}
-
-/// A step: where the ray leaves, and the voxel there.
-struct Step<L: Lanes> {
-    out: f32,
-    to: L::I32,
 }
 
 /// [`Walk::grid`], compiled for the walk's instruction set.
@@ -98,7 +92,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             sections,
             ray,
             sieve: Sieve::new(l, &sections, ray, [org, dir], [l.load_f32(lo), l.load_f32(hi)]),
-            course: Course::new(l, org, dir, ray, view.header().unit),
+            course: Course::new(l, org, dir, view.header().unit),
             decided: [NONE; DECIDED],
             query,
             counters,
@@ -115,7 +109,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     }
 
     fn limit(&self) -> f64 {
-        self.query.beyond() * self.course.per_t
+        beyond(self.query.limit()) * self.course.per_t
     }
 
     /// Walks a grid where the ray's parameter tau is in `[t0, t1]`; `true` if the
@@ -125,7 +119,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         self.counters.grid();
         let l = self.lanes;
         let grid = self.sections.grid(number);
-        let Some(local) = Local::enter(l, grid, &self.course, t0, t1) else {
+        let Some(local) = Local::enter(l, grid, &self.course, self.ray, t0, t1) else {
             return false;
         };
         let mut at = local.at;
@@ -168,29 +162,15 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         }
     }
 
-    /// Leaves the exit box `exit` of voxel `at`.
-    #[inline(always)]
-    fn step(&self, local: &Local<L>, at: L::I32, exit: u32) -> Step<L> {
-        let l = self.lanes;
-        let most = l.splat_i32(EXIT_MAX as i32);
-        let reach = l.and(l.shift_right(l.splat_i32(exit as i32), self.course.shift), most);
-        // The planes behind the box, and where the ray is at the first of them.
-        let behind = l.add(l.add(at, l.splat_i32(1)), reach);
-        let leave = Self::mul_add(l, l.to_f32(behind), local.pace, local.zero);
-        let lowest = l.lowest(leave);
-        // Off the axis of the exit the position says where, inside the box.
-        let exits = l.equal(leave, lowest);
-        let low = l.select(exits, at, behind);
-        let high = l.sub(l.sub(behind, l.splat_i32(1)), exits);
-        let position = l.truncate(Self::mul_add(l, lowest, local.speed, local.start));
-        Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
-    }
-
     /// Rounded once wherever steps are counted, so that their number depends on
     /// no instruction set.
     #[inline(always)]
-    fn mul_add(l: L, a: L::F32, b: L::F32, c: L::F32) -> L::F32 {
-        if C::COUNTS { l.mul_add::<true>(a, b, c) } else { l.mul_add::<false>(a, b, c) }
+    fn step(&self, local: &Local<L>, at: L::I32, exit: u32) -> Step<L> {
+        if C::COUNTS {
+            local.step::<true>(self.lanes, &self.course, at, exit)
+        } else {
+            local.step::<false>(self.lanes, &self.course, at, exit)
+        }
     }
 
     /// Meets what a voxel that refers to grids refers to; the ray is in its exit
@@ -225,7 +205,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         let mut met = Met::Nothing;
         for few in refs.chunks(L::WIDE) {
             self.counters.tests(few.len());
-            let mut left = self.sieve.pass(few);
+            let mut left = self.sieve.pass(self.lanes, few);
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];
                 left &= left - 1;

@@ -28,6 +28,16 @@ macro_rules! four_lanes {
         type I32 = __m128i;
 
         #[inline(always)]
+        fn prefetch<T>(self, at: *const T) {
+            with!(_mm_prefetch::<_MM_HINT_T0>(at.cast()))
+        }
+        #[inline(always)]
+        fn array_f32(self, a: __m128) -> [f32; 4] {
+            let mut array = [0.0; 4];
+            with!(_mm_storeu_ps(array.as_mut_ptr(), a));
+            array
+        }
+        #[inline(always)]
         fn load_f64(self, a: &[f64; 4]) -> __m256d {
             with!(_mm256_loadu_pd(a.as_ptr()))
         }
@@ -307,11 +317,6 @@ macro_rules! eight_lanes {
         #[inline(always)]
         fn splat_wide(self, a: f32) -> __m256 {
             with!(_mm256_set1_ps(a))
-        }
-        #[inline(always)]
-        fn spread<const K: i32>(self, a: __m128) -> __m256 {
-            let lane = self.permute(a, &[K; 4]);
-            with!(_mm256_broadcastss_ps(lane))
         }
         #[inline(always)]
         fn sub_wide(self, a: __m256, b: __m256) -> __m256 {
