@@ -7,7 +7,7 @@
 //! per voxel are over references.
 
 use crate::arena::View;
-use crate::arena::layout::{Grid, LIST_HEAD};
+use crate::arena::layout::{Grid, LIST_HEAD, REF_WORDS};
 use crate::options::{MAX_LEVELS, Structure};
 use crate::simd::fpenv;
 
@@ -99,7 +99,7 @@ impl Level {
         for voxel in first..first + grid.voxels() as usize {
             let (objects, grids) = view.sections().counts(voxel);
             if objects > 0 || grids > 1 {
-                words += LIST_HEAD as u64 + objects + grids;
+                words += LIST_HEAD as u64 + REF_WORDS as u64 * (objects + grids);
             }
             self.object_refs += objects;
             self.grid_refs += grids;

@@ -146,11 +146,22 @@ impl<'a> Sections<'a> {
         }
     }
 
-    /// `n` references from `at` on, all of one list.
+    /// The exit box and the number of references of the list at `offset`.
     #[inline(always)]
-    pub fn refs(&self, at: u32, n: u32) -> &'a [u32] {
+    pub fn head(&self, offset: u32) -> (u32, u32) {
         // SAFETY: see the module.
-        unsafe { core::slice::from_raw_parts(self.refs.add(at as usize), n as usize) }
+        unsafe {
+            let head = self.refs.add(offset as usize);
+            (*head, *head.add(1))
+        }
+    }
+
+    /// Eight words from number `at` of the references' section on, which must be one of
+    /// a list: references or boxes, then whatever follows them.
+    #[inline(always)]
+    pub fn eight(&self, at: u32) -> &'a [u32; 8] {
+        // SAFETY: see the module; behind the section is a triangle at least.
+        unsafe { &*self.refs.add(at as usize).cast() }
     }
 
     /// Fetches grid number `i`.
@@ -165,19 +176,20 @@ impl<'a> Sections<'a> {
         l.prefetch(self.voxels.wrapping_add(i as usize));
     }
 
-    /// Fetches the start of the list at `offset`.
+    /// Fetches a line of the references' section and the next.
     #[inline(always)]
     pub fn fetch_list<L: Lanes>(&self, l: L, offset: u32) {
-        l.prefetch(self.refs.wrapping_add(offset as usize));
+        let at = self.refs.wrapping_add(offset as usize);
+        l.prefetch(at);
+        l.prefetch(at.wrapping_add(16));
     }
 
-    /// Fetches triangle number `i` and those behind it, five at most.
+    /// Fetches triangle number `i`.
     #[inline(always)]
-    pub fn fetch_triangles<L: Lanes>(&self, l: L, i: u32) {
+    pub fn fetch_triangle<L: Lanes>(&self, l: L, i: u32) {
         let at = self.triangles.wrapping_add(i as usize).cast::<u8>();
-        for line in 0..4 {
-            l.prefetch(at.wrapping_add(64 * line));
-        }
+        l.prefetch(at);
+        l.prefetch(at.wrapping_add(size_of::<Triangle>() - 1));
     }
 
     /// How many triangles and how many grids voxel number `i` refers to.

@@ -1,7 +1,7 @@
 //! How much memory a build can need: a function of counts alone.
 //!
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
-//! about `97 n + 136 G + 12 L + 20 V + 8 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
+//! about `97 n + 136 G + 12 L + 20 V + 8 R` bytes and the arena `48 n + 128 G + 4 V + 16 R`.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
@@ -83,8 +83,8 @@ impl Capacity {
     }
 
     pub fn sizes(&self) -> Result<Sizes, Error> {
-        // A list has two words besides its references, and at least one of these.
-        let counts = [self.grids, self.voxels, 3 * self.refs, self.triangles].map(|c| c as u64);
+        // A list has two words besides its references, at least one, of two words.
+        let counts = [self.grids, self.voxels, 4 * self.refs, self.triangles].map(|c| c as u64);
         let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3])?;
         let records = [
             (self.triangles, size_of::<Triangle>() + size_of::<Aabb>()),

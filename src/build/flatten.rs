@@ -113,7 +113,7 @@ impl<'s> Plan<'s> {
             first += from.voxels() as u32;
         }
         let table = if self.exits { &mut *self.table } else { &mut [] };
-        parts::write(&self.draft, self.numbers, table, (voxels, refs), control)?;
+        parts::write(&self.draft, (self.numbers, triangles), table, (voxels, refs), control)?;
         control.pass(1.0)?;
         count_walks(grids, voxels, refs);
         if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {

@@ -8,6 +8,7 @@
 //! is what a build may use of the caller's meanwhile; `gather` and `parts`, which
 //! `flatten` leaves the voxels to, split their work into tasks.
 
+mod bounds;
 mod capacity;
 mod clearance;
 mod cluster;

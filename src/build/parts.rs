@@ -4,13 +4,16 @@
 //! follows from the grids alone, and each has voxels, lists and working memory of
 //! its own.
 
+use super::bounds::Frame;
 use super::control::{Control, TASKS};
 use super::draft::{Draft, Span};
 use super::exit::{SLAB, clear, clearance_len, plane_len, planes};
 use super::frame::Grid;
 use super::scratch::cut;
 use crate::Error;
-use crate::arena::layout::{EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, TAG_SHIFT};
+use crate::arena::layout::{
+    EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, REF_WORDS, TAG_SHIFT, Triangle,
+};
 
 /// Voxels from which on a grid is cut into slabs.
 const LARGE: u64 = 1 << 15;
@@ -22,7 +25,7 @@ pub fn words(draft: &Draft<'_>, span: Span) -> u64 {
     match draft.list(span) {
         [] => 0,
         [only] if only & GRID_BIT != 0 => 0,
-        list => (LIST_HEAD + list.len()) as u64,
+        list => (LIST_HEAD + REF_WORDS * list.len()) as u64,
     }
 }
 
@@ -31,6 +34,8 @@ struct Input<'a> {
     draft: &'a Draft<'a>,
     /// The triangles' places in the arena.
     numbers: &'a [u32],
+    /// The triangles of the arena.
+    triangles: &'a [Triangle],
 }
 
 /// What is not handed out yet of the arena.
@@ -78,17 +83,17 @@ fn memory_len(grid: &Grid, table: usize) -> usize {
     if words <= table { words } else { 0 }
 }
 
-/// Writes all voxels and lists. `numbers`: the triangles' places in the arena;
+/// Writes all voxels and lists. `numbers`: the places in the arena of its `triangles`;
 /// `table`: memory for exit boxes; a grid that needs more of it goes without.
 pub fn write(
     draft: &Draft<'_>,
-    numbers: &[u32],
+    (numbers, triangles): (&[u32], &[Triangle]),
     table: &mut [u64],
     (voxels, refs): (&mut [u32], &mut [u32]),
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let total = voxels.len();
-    let input = &Input { draft, numbers };
+    let input = &Input { draft, numbers, triangles };
     let mut free = Free { voxels, refs, first: 0 };
     let mut grids = draft.grids();
     while let Some((first, rest)) = grids.split_first() {
@@ -143,7 +148,9 @@ fn runs<'g>(
                 planes(grid, input.draft, &clearance, 0, plane, words);
             }
         }
-        run.output.write(input, run.grids.iter().flat_map(|grid| input.draft.spans(grid)));
+        for grid in run.grids {
+            run.output.write(input, grid, 0, input.draft.spans(grid));
+        }
     })?;
     Ok(grids)
 }
@@ -208,7 +215,7 @@ fn slabs(
                 }
                 None => slab.output.voxels.fill(0),
             }
-            slab.output.write(input, slab.spans.iter());
+            slab.output.write(input, grid, slab.first, slab.spans);
         })?;
         control.tick(grid.voxels() as usize, total - slabs.len(), total)?;
     }
@@ -216,25 +223,36 @@ fn slabs(
 }
 
 impl Output<'_> {
-    /// Writes the lists of `spans`, and puts them or the exit boxes that are there
-    /// into the voxels.
-    fn write<'d>(&mut self, input: &Input<'_>, spans: impl Iterator<Item = &'d Span>) {
-        let mut end = 0;
-        for (word, &span) in self.voxels.iter_mut().zip(spans) {
+    /// Writes the next voxels: whole planes of a grid, from number `plane` on. Their
+    /// words hold exit boxes.
+    fn write(&mut self, input: &Input<'_>, grid: &Grid, plane: usize, spans: &[Span]) {
+        let [nx, ny, _] = sides(grid);
+        let words = cut(&mut self.voxels, spans.len());
+        for (i, (word, &span)) in words.iter_mut().zip(spans).enumerate() {
             *word = match input.draft.list(span) {
                 [] => EMPTY << TAG_SHIFT | *word,
                 [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
                 list => {
-                    self.refs[end] = *word;
-                    self.refs[end + 1] = span.count;
-                    let to = &mut self.refs[end + LIST_HEAD..][..list.len()];
-                    for (to, &object) in to.iter_mut().zip(list) {
+                    let at = [i % nx, i / nx % ny, plane + i / (nx * ny)];
+                    let place = LIST << TAG_SHIFT | self.first;
+                    let words = LIST_HEAD + REF_WORDS * list.len();
+                    self.first += words as u32;
+                    let (head, rest) = cut(&mut self.refs, words).split_at_mut(LIST_HEAD);
+                    head.copy_from_slice(&[*word, span.count]);
+                    let (refs, boxes) = rest.split_at_mut(list.len());
+                    for (to, &object) in refs.iter_mut().zip(list) {
                         let triangle = object & GRID_BIT == 0;
                         *to = if triangle { input.numbers[object as usize] } else { object };
                     }
-                    to.sort_unstable();
-                    let place = LIST << TAG_SHIFT | (self.first + end as u32);
-                    end += LIST_HEAD + list.len();
+                    refs.sort_unstable();
+                    let frame = Frame::new(grid, at, *word);
+                    for (to, &reference) in boxes.iter_mut().zip(&*refs) {
+                        *to = if reference & GRID_BIT == 0 {
+                            frame.of_triangle(&input.triangles[reference as usize])
+                        } else {
+                            frame.of_grid(&input.draft.grids()[(reference & !GRID_BIT) as usize])
+                        };
+                    }
                     place
                 }
             };

@@ -13,6 +13,8 @@ pub(crate) trait Lanes: Copy {
     type I32: Copy;
     /// [`Lanes::WIDE`] `f32`, at most 8.
     type Wide: Copy;
+    /// [`Lanes::WIDE`] `u32`.
+    type Words: Copy;
     const WIDE: usize;
 
     /// Brings what `at` points to closer, if that is quicker; reads nothing.
@@ -57,6 +59,8 @@ pub(crate) trait Lanes: Copy {
     fn div_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
     /// `a * b + c`, rounded once; without `EXACT` perhaps twice.
     fn mul_add<const EXACT: bool>(self, a: Self::F32, b: Self::F32, c: Self::F32) -> Self::F32;
+    /// `a` where `mask` is all ones, +0 where it is zero.
+    fn mask_f32(self, a: Self::F32, mask: Self::I32) -> Self::F32;
     fn minus_f32(self, a: Self::F32) -> Self::F32;
     fn max_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
     /// The greatest of the first three lanes, in every lane.
@@ -74,10 +78,13 @@ pub(crate) trait Lanes: Copy {
     fn array_f32(self, a: Self::F32) -> [f32; 4];
     /// One bit for each of the first three lanes that is negative, -0 included.
     fn signs(self, a: Self::F32) -> u32;
+    /// Whether no lane is infinite or NaN.
+    fn all_finite(self, a: Self::F32) -> bool;
     /// One bit for each of the first three lanes in which `a == b`.
     fn equals(self, a: Self::F32, b: Self::F32) -> u32;
 
     fn load_i32(self, a: &[i32; 4]) -> Self::I32;
+    fn load_u32(self, a: &[u32; 4]) -> Self::I32;
     fn splat_i32(self, a: i32) -> Self::I32;
     fn load_u16(self, a: &[u16; 4]) -> Self::I32;
     fn array(self, a: Self::I32) -> [i32; 4];
@@ -94,6 +101,13 @@ pub(crate) trait Lanes: Copy {
     /// Whether one of the first three lanes of `a` is greater than that of `b`.
     fn any_greater(self, a: Self::I32, b: Self::I32) -> bool;
 
+    /// The first [`Lanes::WIDE`] words.
+    fn words(self, words: &[u32; 8]) -> Self::Words;
+    /// The bits of each word that are in `mask`, which has no sign, as a number.
+    fn field(self, words: Self::Words, mask: &[u32; 8]) -> Self::Wide;
+    /// Copies the words that `mask` has a bit for to the start of `to`, in their order;
+    /// what follows them there becomes any of `words`' first, or 0.
+    fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]);
     /// Three times the first [`Lanes::WIDE`] numbers, zeros where there are fewer.
     fn thrice(self, numbers: &[u32]) -> [u32; 8];
     /// The first, second and third numbers of `row(0)`, `row(1)` and so on.
@@ -105,10 +119,14 @@ pub(crate) trait Lanes: Copy {
     fn min_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn max_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn abs_wide(self, a: Self::Wide) -> Self::Wide;
+    /// `a * b + c`, rounded once or twice.
+    fn mul_add_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
     /// `a - b * c`, rounded once or twice.
     fn less_product(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
     /// `a * b - c * d`, rounded twice or three times.
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
+    /// One bit for each lane in which `a <= b`.
+    fn at_most(self, a: Self::Wide, b: Self::Wide) -> u32;
     /// One bit for each lane in which `a > b` and `c > b`, or `d < e`, or `f > g`.
     fn misses(
         self,

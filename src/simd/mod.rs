@@ -17,3 +17,4 @@ pub(crate) use isa::{AnyKernel, dispatch};
 pub use isa::{Isa, force_isa, isa};
 pub(crate) use lanes::{Kernel, Lanes};
 pub(crate) use pair::Pair;
+pub(crate) use portable::Portable;

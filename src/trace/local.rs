@@ -18,9 +18,9 @@
 //! a hit at t is found in the voxel whose interval contains t, so the walk's end
 //! needs no padding at all.
 
-use super::course::Course;
+use super::course::{Course, Mirror};
 use super::rebase::rebase;
-use crate::arena::layout::{EXIT_MAX, Grid};
+use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, EXIT_MAX, Grid};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
@@ -52,6 +52,25 @@ pub(super) struct Local<L: Lanes> {
     pub slack: f64,
     /// The ray has left the grid, or the part of it that is wanted, at s.
     pub end: f32,
+}
+
+/// Where the boxes of a list's references are along the ray.
+#[derive(Clone, Copy)]
+pub(super) struct Boxes {
+    /// On each axis a box begins at s = bound near[0] + near[1], with the bits of the
+    /// bound as they are in its word, and ends likewise.
+    pub near: [[f32; 4]; 2],
+    pub far: [[f32; 4]; 2],
+    pub mirror: &'static Mirror,
+    /// The part of the ray in question.
+    pub range: [f32; 2],
+}
+
+impl Boxes {
+    /// None.
+    pub fn nowhere(mirror: &'static Mirror) -> Self {
+        Self { near: [[0.0; 4]; 2], far: [[0.0; 4]; 2], mirror, range: [0.0; 2] }
+    }
 }
 
 /// A step: where the ray leaves an exit box, and the voxel there.
@@ -149,6 +168,32 @@ impl<L: Lanes> Local<L> {
         rows.wrapping_add(x).wrapping_add(self.first)
     }
 
+    /// Where the boxes of the references of voxel `at` are; `range` is the part of the
+    /// ray, in s, that is in its exit box `exit`.
+    #[inline(always)]
+    pub fn boxes(&self, l: L, course: &Course<L>, at: L::I32, exit: u32, range: [f32; 2]) -> Boxes {
+        let (near, far) =
+            (reach(l, exit, &course.mirror.near.shift), reach(l, exit, &course.mirror.far.shift));
+        let margin = l.splat_f32(BOX_MARGIN);
+        let low = l.sub_f32(l.to_f32(l.sub(at, near)), margin);
+        let side = l.to_f32(l.add(l.add(near, far), l.splat_i32(1)));
+        let side = l.add_f32(side, l.add_f32(margin, margin));
+        let cell = l.mul_f32(side, l.splat_f32(1.0 / BOX_CELLS as f32));
+        let width = l.mul_f32(cell, self.pace);
+        let start = l.mul_add::<false>(low, self.pace, self.zero);
+        // Cells are counted from the lower end, mirrored or not.
+        let last = l.mul_f32(width, l.splat_f32((BOX_CELLS - 1) as f32));
+        let start = l.add_f32(start, l.mask_f32(last, course.down));
+        let near = l.mul_f32(width, l.load_f32(&course.mirror.near.unit));
+        let far = l.mul_f32(width, l.load_f32(&course.mirror.far.unit));
+        Boxes {
+            near: [l.array_f32(near), l.array_f32(start)],
+            far: [l.array_f32(far), l.array_f32(l.add_f32(start, width))],
+            mirror: course.mirror,
+            range,
+        }
+    }
+
     /// Leaves the exit box `exit` of voxel `at`. With `EXACT`, which voxels are
     /// stepped to depends on no instruction set.
     #[inline(always)]
@@ -159,10 +204,8 @@ impl<L: Lanes> Local<L> {
         at: L::I32,
         exit: u32,
     ) -> Step<L> {
-        let most = l.splat_i32(EXIT_MAX as i32);
-        let reach = l.and(l.shift_right(l.splat_i32(exit as i32), course.shift), most);
         // The planes behind the box, and where the ray is at the first of them.
-        let behind = l.add(l.add(at, l.splat_i32(1)), reach);
+        let behind = l.add(l.add(at, l.splat_i32(1)), reach(l, exit, &course.mirror.far.shift));
         let leave = l.mul_add::<EXACT>(l.to_f32(behind), self.pace, self.zero);
         let lowest = l.lowest(leave);
         // Off the axis of the exit the position says where, inside the box.
@@ -192,6 +235,13 @@ impl<L: Lanes> Local<L> {
     pub fn high(&self, s: f32) -> f64 {
         f64::from(s) + self.base + self.slack
     }
+}
+
+/// How far an exit box reaches beyond its voxel, on the sides that `shifts` are of.
+#[inline(always)]
+fn reach<L: Lanes>(l: L, exit: u32, shifts: &[u32; 4]) -> L::I32 {
+    let word = l.splat_i32(exit as i32);
+    l.and(l.shift_right(word, l.load_u32(shifts)), l.splat_i32(EXIT_MAX as i32))
 }
 
 /// An `f32` greater than `x`, but for infinity.

@@ -5,6 +5,7 @@
 //! rejects triangles cheaply, `query` says what is looked for, `counters` what is
 //! counted.
 
+mod bounds;
 mod counters;
 mod course;
 mod local;

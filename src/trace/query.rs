@@ -3,6 +3,7 @@
 use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
+use crate::simd::Lanes;
 use crate::triangle::{Line, normal};
 
 /// What a walk looks for.
@@ -126,13 +127,15 @@ pub(super) fn beyond(limit: f32) -> f64 {
 /// Whether the ray can hit anything: everything that [`Ray`] lists as a miss
 /// is not usable.
 #[inline(always)]
-pub(super) fn usable(ray: &Ray) -> bool {
-    let finite = |v: &[f32; 3]| v.iter().all(|x| x.abs() < f32::INFINITY);
-    let moves = ray.dir.iter().any(|x| *x != 0.0);
+pub(super) fn usable<L: Lanes>(l: L, ray: &Ray) -> bool {
+    let [org, dir, _] = ray.rows();
+    let (org, dir) = (l.load3(org), l.load3(dir));
+    let moves = l.equals(dir, l.splat_f32(0.0)) != 7;
     // NaN fails the comparisons. No t is infinite.
-    let range = ray.tmin <= ray.tmax && ray.tmin < f32::INFINITY && ray.tmax > f32::NEG_INFINITY;
+    let range =
+        (ray.tmin <= ray.tmax) & (ray.tmin < f32::INFINITY) & (ray.tmax > f32::NEG_INFINITY);
     // One branch, not one for each number.
-    finite(&ray.org) & finite(&ray.dir) & moves & range
+    l.all_finite(org) & l.all_finite(dir) & moves & range
 }
 
 /// Whether the ray may meet this triangle: masks share a bit and it is not the

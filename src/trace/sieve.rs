@@ -12,6 +12,7 @@
 //! A fused multiply-add only leaves roundings out. Scenes so large or small that
 //! `f32` products leave their range are not sieved.
 
+use super::counters::Count;
 use crate::arena::{Axis, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
@@ -41,6 +42,12 @@ pub struct Sieve<'a> {
     start: f32,
     /// Whether the error bound holds.
     pub holds: bool,
+}
+
+/// Triangles to sieve in one go. As many everywhere where tests are counted: a walk may
+/// end with any of them.
+pub(super) const fn chunk<C: Count, L: Lanes>() -> usize {
+    if C::COUNTS { 4 } else { L::WIDE }
 }
 
 /// For each set of axes along which a direction is longest, a bit each: one of
@@ -111,7 +118,8 @@ impl<'a> Sieve<'a> {
     #[inline(always)]
     pub fn pass<L: Lanes>(&self, l: L, refs: &[u32]) -> u32 {
         let all = (1u32 << refs.len()) - 1;
-        if !self.holds {
+        // One alone is decided nearly as soon as it is sieved.
+        if !self.holds | (refs.len() == 1) {
             return all;
         }
         let rows = l.thrice(refs);
@@ -127,10 +135,8 @@ impl<'a> Sieve<'a> {
         let bc = l.cross_wide(b.x, c.y, b.y, c.x);
         let ca = l.cross_wide(c.x, a.y, c.y, a.x);
         let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
-        let error = l.mul_wide(
-            l.splat_wide(self.error),
-            l.add_wide(size, l.splat_wide(self.error_thrice)),
-        );
+        let error =
+            l.mul_wide(l.splat_wide(self.error), l.add_wide(size, l.splat_wide(self.error_thrice)));
         let most = l.max_wide(l.max_wide(ab, bc), ca);
         let least = l.min_wide(l.min_wide(ab, bc), ca);
         let minus_least = l.sub_wide(l.splat_wide(0.0), least);

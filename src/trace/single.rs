@@ -5,10 +5,10 @@ use super::query::{Any, Closest, Query, usable, visible};
 use super::walk::Walk;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Lanes, dispatch, fpenv};
+use crate::simd::{AnyKernel, Lanes, Portable, dispatch, fpenv};
 use crate::triangle::Line;
 
-/// A query of one ray that is known to be usable, in a scene that is not empty.
+/// A query of one ray in a scene that is not empty.
 struct Single<'a, Q, C> {
     view: &'a View<'a>,
     ray: &'a Ray,
@@ -20,6 +20,9 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     type Out = Q::Out;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
+        if !usable(lanes, self.ray) {
+            return Q::miss(self.ray);
+        }
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
         walk.run();
         walk.query.found(&self.view.sections(), self.ray)
@@ -54,7 +57,7 @@ impl View<'_> {
     #[inline]
     fn single<Q: Query, C: Count>(&self, ray: &Ray, counters: &mut C) -> Q::Out {
         fpenv::with_default(|| {
-            if !usable(ray) || self.header().grids.count == 0 {
+            if self.header().grids.count == 0 {
                 return Q::miss(ray);
             }
             dispatch(Single { view: self, ray, query: Q::new(ray), counters })
@@ -66,7 +69,7 @@ impl View<'_> {
     #[must_use]
     pub fn intersect_brute(&self, ray: &Ray) -> Hit {
         fpenv::with_default(|| {
-            if !usable(ray) {
+            if !usable(Portable, ray) {
                 return Closest::miss(ray);
             }
             let line = Line::new(ray);

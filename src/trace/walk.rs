@@ -10,11 +10,12 @@
 //! back, and no list of visited grids is needed. Recursion is as deep as the
 //! levels, at most 16.
 
+use super::bounds::{BATCH, Few, Part};
 use super::counters::Count;
 use super::course::Course;
-use super::local::{Local, Step};
+use super::local::{Boxes, Local, Step};
 use super::query::{Query, beyond, visible};
-use super::sieve::Sieve;
+use super::sieve::{Sieve, chunk};
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
 use crate::ray::{NONE, Ray};
@@ -23,6 +24,10 @@ use crate::triangle::Line;
 
 /// Entries of [`Walk::decided`].
 const DECIDED: usize = 8;
+
+/// References up to which a list is sieved as it is: for a ray alone, looking at boxes
+/// first takes longer.
+const SHORT: usize = 16;
 
 /// What came of a voxel.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -62,6 +67,22 @@ impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Enter<'_, '_, Q, C, L> {
     #[inline(always)]
     fn run(self, _: L) -> bool {
         self.walk.grid(self.number, self.t0, self.t1)
+    }
+}
+
+/// [`Walk::long`], likewise.
+struct Long<'w, 'a, Q, C, L: Lanes> {
+    walk: &'w mut Walk<'a, Q, C, L>,
+    place: u32,
+    boxes: &'w Boxes,
+    taus: [f64; 2],
+}
+
+impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Long<'_, '_, Q, C, L> {
+    type Out = Met;
+    #[inline(always)]
+    fn run(self, _: L) -> Met {
+        self.walk.long(self.place, self.boxes, self.taus)
     }
 }
 
@@ -136,11 +157,18 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 let (exit, refs) =
                     if tag == LIST { self.sections.list(payload) } else { (0, &[][..]) };
                 let step = self.step(&local, at, exit);
-                let met = if tag == LIST && refs.last().is_none_or(|r| r & GRID_BIT == 0) {
+                let short = refs.len() <= SHORT && refs.last().is_none_or(|r| r & GRID_BIT == 0);
+                let met = if tag == LIST && short {
                     self.triangles(refs)
                 } else {
                     let until = if step.out < stop { step.out } else { stop };
-                    self.mixed(tag, payload, refs, local.low(s), local.high(until))
+                    let taus = [local.low(s), local.high(until)];
+                    if tag == LIST {
+                        let boxes = local.boxes(l, &self.course, at, exit, [s, until]);
+                        self.long_apart(payload, &boxes, taus)
+                    } else {
+                        self.below(payload, taus)
+                    }
                 };
                 match met {
                     Met::Nothing => {}
@@ -173,26 +201,42 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         }
     }
 
-    /// Meets what a voxel that refers to grids refers to; the ray is in its exit
-    /// box for tau in `[t0, t1]`.
+    /// [`Walk::long`], so that the walk's registers are not spilled elsewhere.
+    #[cold]
+    fn long_apart(&mut self, place: u32, boxes: &Boxes, taus: [f64; 2]) -> Met {
+        self.lanes.run(Long { walk: self, place, boxes, taus })
+    }
+
+    /// Meets what a list refers to that is long, or that refers to grids, by its boxes;
+    /// the ray is in its exit box for tau in `taus`.
     #[inline(always)]
-    fn mixed(&mut self, tag: u32, payload: u32, refs: &[u32], t0: f64, t1: f64) -> Met {
-        if tag != LIST {
-            return self.below(payload, t0, t1);
-        }
-        let triangles = refs.partition_point(|r| r & GRID_BIT == 0);
-        let mut met = self.triangles(&refs[..triangles]);
-        for r in &refs[triangles..] {
-            if met == Met::Enough {
-                break;
+    fn long(&mut self, place: u32, boxes: &Boxes, taus: [f64; 2]) -> Met {
+        let (l, sections) = (self.lanes, self.sections);
+        let len = sections.head(place).1;
+        let mut met = Met::Nothing;
+        let mut few = Few::NONE;
+        let mut at = 0;
+        while at < len && met != Met::Enough {
+            let part = Part::new(place, len, at, len);
+            if C::COUNTS {
+                few.fill::<true, L>(l, &sections, part, boxes);
+            } else {
+                few.fill::<false, L>(l, &sections, part, boxes);
             }
-            met = met.max(self.below(r & !GRID_BIT, t0, t1));
+            let (triangles, grids) = few.split();
+            met = met.max(self.triangles(triangles));
+            for r in grids {
+                if met != Met::Enough {
+                    met = met.max(self.below(r & !GRID_BIT, taus));
+                }
+            }
+            at += BATCH as u32;
         }
         met
     }
 
     #[cold]
-    fn below(&mut self, number: u32, t0: f64, t1: f64) -> Met {
+    fn below(&mut self, number: u32, [t0, t1]: [f64; 2]) -> Met {
         if self.lanes.run(Enter { walk: self, number, t0, t1 }) {
             Met::Enough
         } else {
@@ -203,7 +247,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     #[inline(always)]
     fn triangles(&mut self, refs: &[u32]) -> Met {
         let mut met = Met::Nothing;
-        for few in refs.chunks(L::WIDE) {
+        for few in refs.chunks(chunk::<C, L>()) {
             self.counters.tests(few.len());
             let mut left = self.sieve.pass(self.lanes, few);
             while left != 0 {

@@ -24,7 +24,7 @@ impl Avx512 {
             target_feature = "avx512f",
             target_feature = "avx512vl",
             target_feature = "avx512dq"
-        ));
+        )) && super::Avx2::detect().is_some();
         there.then_some(Self(()))
     }
 
@@ -38,7 +38,7 @@ impl Avx512 {
     }
 }
 
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma,popcnt,bmi1,bmi2")]
 fn compiled<K: Kernel<Avx512>>(kernel: K, lanes: Avx512) -> K::Out {
     kernel.run(lanes)
 }
@@ -51,6 +51,20 @@ impl Lanes for Avx512 {
     #[inline(always)]
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
         with!(compiled(kernel, self))
+    }
+
+    #[inline(always)]
+    fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {
+        with!({
+            let words = _mm256_loadu_si256(words.as_ptr().cast());
+            let few = _mm256_maskz_compress_epi32(mask as u8, words);
+            _mm256_storeu_si256(to.as_mut_ptr().cast(), few);
+        });
+    }
+
+    #[inline(always)]
+    fn at_most(self, a: __m256, b: __m256) -> u32 {
+        with!(u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)))
     }
 
     #[inline(always)]

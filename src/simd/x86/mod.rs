@@ -162,6 +162,10 @@ macro_rules! four_lanes {
             with!(_mm_fmadd_ps(a, b, c))
         }
         #[inline(always)]
+        fn mask_f32(self, a: __m128, mask: __m128i) -> __m128 {
+            with!(_mm_and_ps(a, _mm_castsi128_ps(mask)))
+        }
+        #[inline(always)]
         fn minus_f32(self, a: __m128) -> __m128 {
             with!(_mm_xor_ps(_mm_set1_ps(-0.0), a))
         }
@@ -211,12 +215,24 @@ macro_rules! four_lanes {
             with!(_mm_movemask_ps(a)) as u32 & 7
         }
         #[inline(always)]
+        fn all_finite(self, a: __m128) -> bool {
+            with!({
+                let size = _mm_andnot_ps(_mm_set1_ps(-0.0), a);
+                let finite = _mm_cmplt_ps(size, _mm_set1_ps(f32::INFINITY));
+                _mm_movemask_ps(finite) == 15
+            })
+        }
+        #[inline(always)]
         fn equals(self, a: __m128, b: __m128) -> u32 {
             with!(_mm_movemask_ps(_mm_cmpeq_ps(a, b))) as u32 & 7
         }
 
         #[inline(always)]
         fn load_i32(self, a: &[i32; 4]) -> __m128i {
+            with!(_mm_loadu_si128(a.as_ptr().cast()))
+        }
+        #[inline(always)]
+        fn load_u32(self, a: &[u32; 4]) -> __m128i {
             with!(_mm_loadu_si128(a.as_ptr().cast()))
         }
         #[inline(always)]
@@ -280,8 +296,20 @@ use four_lanes;
 macro_rules! eight_lanes {
     () => {
         type Wide = __m256;
+        type Words = __m256i;
         const WIDE: usize = 8;
 
+        #[inline(always)]
+        fn words(self, words: &[u32; 8]) -> __m256i {
+            with!(_mm256_loadu_si256(words.as_ptr().cast()))
+        }
+        #[inline(always)]
+        fn field(self, words: __m256i, mask: &[u32; 8]) -> __m256 {
+            with!({
+                let mask = _mm256_loadu_si256(mask.as_ptr().cast());
+                _mm256_cvtepi32_ps(_mm256_and_si256(words, mask))
+            })
+        }
         #[inline(always)]
         fn thrice(self, numbers: &[u32]) -> [u32; 8] {
             const MASK: [i32; 16] = [-1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0];
@@ -341,6 +369,10 @@ macro_rules! eight_lanes {
         #[inline(always)]
         fn abs_wide(self, a: __m256) -> __m256 {
             with!(_mm256_andnot_ps(_mm256_set1_ps(-0.0), a))
+        }
+        #[inline(always)]
+        fn mul_add_wide(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            with!(_mm256_fmadd_ps(a, b, c))
         }
         #[inline(always)]
         fn less_product(self, a: __m256, b: __m256, c: __m256) -> __m256 {

@@ -60,7 +60,8 @@ struct Stream<'a, 'p, Q: Query, C, L: Lanes> {
 /// instruction set.
 macro_rules! turn {
     ($stream:ident, $phase:ident, $method:ident $(, $frames:ident)?) => {
-        for slot in $stream.queues.take(Phase::$phase).iter() {
+        for i in 0..$stream.queues.take(Phase::$phase) {
+            let slot = $stream.queues.taken(Phase::$phase, i);
             let phase = $stream.slots[slot].$method(&mut $stream.with $(, frames(&mut $stream.$frames, $stream.depth, slot))?);
             $stream.queues.push(phase, slot);
         }
@@ -104,7 +105,7 @@ impl<'a, 'p, Q: Query, C: Count, L: Lanes> Stream<'a, 'p, Q, C, L> {
             let index = self.next;
             self.next += 1;
             let ray = self.port.ray(index);
-            if usable(&ray) {
+            if usable(self.with.lanes, &ray) {
                 self.slots[slot] = Slot::new(self.with.lanes, self.view, ray, index);
                 self.queues.push(Phase::Enter, slot);
                 return;
@@ -116,19 +117,21 @@ impl<'a, 'p, Q: Query, C: Count, L: Lanes> Stream<'a, 'p, Q, C, L> {
 
     #[inline(always)]
     fn run(&mut self) {
-        for slot in self.queues.take(Phase::Done).iter() {
-            self.load(slot);
+        for i in 0..self.queues.take(Phase::Done) {
+            self.load(self.queues.taken(Phase::Done, i));
         }
         while self.flying > 0 {
             turn!(self, Enter, enter);
             turn!(self, Visit, visit);
             turn!(self, Open, open);
+            turn!(self, Look, look);
             turn!(self, Sieve, sift);
             turn!(self, Decide, decide);
             turn!(self, Descend, descend, frames);
             turn!(self, Advance, advance);
             turn!(self, Return, climb, frames);
-            for slot in self.queues.take(Phase::Done).iter() {
+            for i in 0..self.queues.take(Phase::Done) {
+                let slot = self.queues.taken(Phase::Done, i);
                 let Slot { index, ref query, ref ray, .. } = self.slots[slot];
                 self.port.put(index, query.found(&self.with.sections, ray));
                 self.load(slot);
@@ -191,12 +194,7 @@ impl View<'_> {
         self.stream::<Any, _>(port, n, &mut Uncounted);
     }
 
-    fn stream<Q: Query, C: Count>(
-        &self,
-        port: &mut dyn Port<Q::Out>,
-        n: usize,
-        counters: &mut C,
-    ) {
+    fn stream<Q: Query, C: Count>(&self, port: &mut dyn Port<Q::Out>, n: usize, counters: &mut C) {
         fpenv::with_default(|| {
             if self.header().grids.count == 0 {
                 for i in 0..n {

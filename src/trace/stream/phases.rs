@@ -3,15 +3,20 @@
 //! [`super::super::walk::Walk`], cut where that has to wait for memory or cannot know
 //! what comes. What the next piece reads is fetched at the end of the one before.
 
+use super::super::bounds::{BATCH, Part};
 use super::super::counters::Count;
 use super::super::local::{Local, Step};
 use super::super::query::{Query, visible};
+use super::super::sieve::chunk;
 use super::queues::Phase;
 use super::slot::{DECIDED, Frame, Refs, Slot};
 use crate::arena::Sections;
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, LIST_HEAD, PAYLOAD, TAG_SHIFT};
 use crate::simd::Lanes;
 use crate::triangle::Line;
+
+/// How many triangles to fetch that are to be sieved.
+const FETCH: usize = 4;
 
 /// What all rays share.
 pub(super) struct Common<'a, 'c, C, L: Lanes> {
@@ -70,57 +75,79 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
     /// Reads the head of a list.
     #[inline(always)]
     pub fn open<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
-        let (exit, refs) = with.sections.list(self.place);
-        self.exit = exit;
-        let at = self.place + LIST_HEAD as u32;
-        self.triangles = Refs { at, len: refs.len() as u32 };
+        (self.exit, self.len) = with.sections.head(self.place);
+        with.sections.fetch_list(with.lanes, self.place + self.len);
+        let out = self.step(with).out;
+        let until = if out < self.stop { out } else { self.stop };
+        let range = [self.s, until];
+        self.boxes = self.local.boxes(with.lanes, &self.course, self.at, self.exit, range);
+        self.triangles = Refs { at: 0, end: self.len };
         self.then = Phase::Advance;
-        if refs.last().is_some_and(|r| r & GRID_BIT != 0) {
-            let triangles = refs.partition_point(|r| r & GRID_BIT == 0) as u32;
-            self.triangles.len = triangles;
-            self.grids = Refs { at: at + triangles, len: refs.len() as u32 - triangles };
+        Phase::Look
+    }
+
+    /// Looks at the next boxes.
+    #[inline(always)]
+    pub fn look<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+        let Refs { at, end } = self.triangles;
+        let part = Part::new(self.place, self.len, at, end);
+        if C::COUNTS {
+            self.few.fill::<true, L>(with.lanes, &with.sections, part, &self.boxes);
+        } else {
+            self.few.fill::<false, L>(with.lanes, &with.sections, part, &self.boxes);
+        }
+        self.triangles.at = end.min(at + BATCH as u32);
+        if self.few.drop_grids() {
+            let (_, refs) = with.sections.list(self.place);
+            let first = refs.partition_point(|r| r & GRID_BIT == 0) as u32;
+            let refs = self.place + LIST_HEAD as u32;
+            self.grids = Refs { at: refs + first, end: refs + self.len };
             self.next_grid(with);
+            self.triangles.at = end;
             self.then = Phase::Descend;
         }
-        if let Some(first) = refs.first() {
-            with.sections.fetch_triangles(with.lanes, *first & !GRID_BIT);
+        self.sieved = 0;
+        // Some, rather than a number that cannot be foreseen.
+        for i in 0..FETCH {
+            with.sections.fetch_triangle(with.lanes, self.few.any(i));
         }
-        if self.triangles.len == 0 { self.then } else { Phase::Sieve }
+        self.after()
     }
 
     /// Takes the next grid of the list.
     #[inline(always)]
     fn next_grid<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) {
-        let Refs { at, len } = self.grids;
-        self.grid = with.sections.refs(at, 1)[0] & !GRID_BIT;
-        self.grids = Refs { at: at + 1, len: len - 1 };
+        self.grid = with.sections.eight(self.grids.at)[0] & !GRID_BIT;
+        self.grids.at += 1;
         with.sections.fetch_grid(with.lanes, self.grid);
     }
 
     /// What follows the triangles that were sieved.
     #[inline(always)]
     fn after(&self) -> Phase {
-        let then = if self.triangles.len == 0 { self.then } else { Phase::Sieve };
+        let Refs { at, end } = self.triangles;
+        let then = if at == end { self.then } else { Phase::Look };
+        let then = if self.sieved as usize == self.few.refs().len() { then } else { Phase::Sieve };
         if self.left == 0 { then } else { Phase::Decide }
     }
 
     /// Sieves a few triangles of the list.
     #[inline(always)]
     pub fn sift<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
-        let Refs { at, len } = self.triangles;
-        let few = len.min(L::WIDE as u32);
-        with.counters.tests(few as usize);
-        let refs = with.sections.refs(at, few);
-        self.left = self.sieve.pass(with.lanes, refs);
-        self.few = at;
-        self.triangles = Refs { at: at + few, len: len - few };
+        let refs = &self.few.refs()[self.sieved as usize..];
+        let few = &refs[..refs.len().min(chunk::<C, L>())];
+        with.counters.tests(few.len());
+        self.left = self.sieve.pass(with.lanes, few);
+        self.sieved += few.len() as u32;
         self.after()
     }
 
     /// Decides one of them.
     #[inline(always)]
     pub fn decide<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
-        let number = with.sections.refs(self.few + self.left.trailing_zeros(), 1)[0];
+        let chunk = chunk::<C, L>() as u32;
+        let first = (self.sieved - 1) / chunk * chunk;
+        let number = self.few.any((first + self.left.trailing_zeros()) as usize);
         self.left &= self.left - 1;
         let decided = &mut self.decided[number as usize % DECIDED];
         if *decided != number || C::COUNTS {
@@ -171,7 +198,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
         self.range = [self.local.low(self.s), self.local.high(until)];
         let inside = !with.lanes.any_greater(to, self.local.last);
         let goes_on = (out < self.cut) & inside;
-        if (goes_on || self.grids.len > 0)
+        if (goes_on || !self.grids.is_empty())
             && let Some(frame) = frames.get_mut(self.depth)
         {
             *frame = Frame { local: self.local, to, out, grids: self.grids, range: self.range };
@@ -188,7 +215,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
         frames: &mut [Frame<L>],
     ) -> Phase {
         while let Some(frame) = self.depth.checked_sub(1).and_then(|top| frames.get_mut(top)) {
-            if frame.grids.len > 0 {
+            if !frame.grids.is_empty() {
                 (self.grids, self.range) = (frame.grids, frame.range);
                 self.next_grid(with);
                 frame.grids = self.grids;

@@ -1,7 +1,8 @@
 //! A ray in flight, and where it goes on in the grids above its own.
 
+use super::super::bounds::Few;
 use super::super::course::Course;
-use super::super::local::Local;
+use super::super::local::{Boxes, Local};
 use super::super::query::{Query, beyond};
 use super::super::sieve::Sieve;
 use super::queues::Phase;
@@ -12,11 +13,17 @@ use crate::simd::Lanes;
 /// Entries of [`Slot::decided`].
 pub(super) const DECIDED: usize = 8;
 
-/// Part of the references' section.
+/// Some of a list's references: their numbers in it.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Refs {
     pub at: u32,
-    pub len: u32,
+    pub end: u32,
+}
+
+impl Refs {
+    pub fn is_empty(self) -> bool {
+        self.at >= self.end
+    }
 }
 
 /// A ray on its way.
@@ -41,15 +48,20 @@ pub(super) struct Slot<'a, Q, L: Lanes> {
     pub stop: f32,
     /// Where it stops in the grid, all hits considered.
     pub cut: f32,
-    /// The number of its voxel, then where the voxel's list is.
+    /// The number of its voxel, then where the voxel's list is, and how long.
     pub place: u32,
-    /// The exit box of its voxel.
+    pub len: u32,
+    /// The exit box of its voxel, and the boxes in it.
     pub exit: u32,
-    /// Of the voxel's list, the triangles still to be sieved, those sieved last, a
-    /// bit for each of these still to be decided, and the grids still to be entered.
+    pub boxes: Boxes,
+    /// The triangles of the list whose boxes are still to be looked at.
     pub triangles: Refs,
-    pub few: u32,
+    /// Those whose boxes it met, how many of them were sieved, and a bit for each of the
+    /// last of these that is still to be decided.
+    pub few: Few,
+    pub sieved: u32,
     pub left: u32,
+    /// The grids of the list that are still to be entered.
     pub grids: Refs,
     /// What follows the triangles.
     pub then: Phase,
@@ -87,9 +99,12 @@ impl<'a, Q: Query, L: Lanes> Slot<'a, Q, L> {
             stop: 0.0,
             cut: 0.0,
             place: 0,
+            len: 0,
             exit: 0,
+            boxes: Boxes::nowhere(course.mirror),
             triangles: Refs::default(),
-            few: 0,
+            few: Few::NONE,
+            sieved: 0,
             left: 0,
             grids: Refs::default(),
             then: Phase::Advance,
