@@ -204,7 +204,10 @@ impl Lanes for Neon {
     #[inline(always)]
     fn lowest(self, a: float32x4_t) -> float32x4_t {
         // As integers, which takes less time.
-        with!(vreinterpretq_f32_s32(vdupq_n_s32(vminvq_s32(vreinterpretq_s32_f32(a)))))
+        with!({
+            let a = vreinterpretq_s32_f32(a);
+            vreinterpretq_f32_s32(vdupq_n_s32(vminvq_s32(vcopyq_laneq_s32::<3, 2>(a, a))))
+        })
     }
     #[inline(always)]
     fn first(self, a: float32x4_t) -> f32 {

@@ -59,7 +59,8 @@ pub(crate) trait Lanes: Copy {
     /// The greatest of the first three lanes, in every lane.
     fn highest(self, a: Self::F32) -> Self::F32;
     fn abs_f32(self, a: Self::F32) -> Self::F32;
-    /// The least lane, in every lane; no lane is NaN. Of several negative ones, any.
+    /// The least of the first three lanes, none of them NaN, in each of them. Of several
+    /// negative ones, any.
     fn lowest(self, a: Self::F32) -> Self::F32;
     fn first(self, a: Self::F32) -> f32;
     /// Towards zero; out of range and NaN give some number.

@@ -175,9 +175,9 @@ macro_rules! four_lanes {
             // As integers, which takes a quarter of the time.
             with!({
                 let a = _mm_castps_si128(a);
-                let pairs = _mm_min_epi32(a, _mm_shuffle_epi32::<0b10_11_00_01>(a));
-                let all = _mm_min_epi32(pairs, _mm_shuffle_epi32::<0b01_00_11_10>(pairs));
-                _mm_castsi128_ps(all)
+                let xy_z = _mm_min_epi32(a, _mm_shuffle_epi32::<0b10_10_00_01>(a));
+                let xyz = _mm_min_epi32(xy_z, _mm_shuffle_epi32::<0b00_00_10_10>(xy_z));
+                _mm_castsi128_ps(xyz)
             })
         }
         #[inline(always)]
