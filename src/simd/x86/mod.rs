@@ -7,9 +7,11 @@
 
 mod avx2;
 mod avx512;
+mod shell;
 
 pub use avx2::Avx2;
 pub use avx512::Avx512;
+use shell::shell;
 
 /// Wraps intrinsics; see the module on why they are there.
 macro_rules! with {
@@ -27,6 +29,10 @@ macro_rules! four_lanes {
         type F32 = __m128;
         type I32 = __m128i;
 
+        #[inline(always)]
+        fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
+            with!(compiled(kernel, self))
+        }
         #[inline(always)]
         fn load_f64(self, a: &[f64; 4]) -> __m256d {
             with!(_mm256_loadu_pd(a.as_ptr()))
