@@ -4,9 +4,10 @@
 /// the sieve, a triangle each, with the operations needed.
 ///
 /// A value of an implementing type is proof that the processor has the
-/// instructions: values come from run-time detection alone. What four lanes
-/// compute is the same everywhere, bit for bit, but for numbers out of range and
-/// NaN; wide rows may round otherwise.
+/// instructions: values come from run-time detection, unless the target has them
+/// anyway. What four lanes compute is the same everywhere, bit for bit, but for numbers
+/// out of range, NaN and which of two zeros is the greater; wide rows may round
+/// otherwise.
 pub(crate) trait Lanes: Copy {
     type F64: Copy;
     type F32: Copy;
