@@ -914,8 +914,8 @@ const char *hug_version(void);
 uint32_t hug_abi_version(void);
 
 /**
- * The instruction set that queries run on: "avx512",
- * "avx2" or "portable", never NULL. Results do not depend on it.
+ * The instruction set that queries run on: "avx512", "avx2", "neon" or
+ * "portable", never NULL. Results do not depend on it.
  */
 const char *hug_isa(void);
 

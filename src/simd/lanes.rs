@@ -4,9 +4,10 @@
 /// the sieve, a triangle each, with the operations needed.
 ///
 /// A value of an implementing type is proof that the processor has the
-/// instructions: values come from run-time detection alone. What four lanes
-/// compute is the same everywhere, bit for bit, but for numbers out of range and
-/// NaN; wide rows may round otherwise.
+/// instructions: values come from run-time detection, unless the target has them
+/// anyway. What four lanes compute is the same everywhere, bit for bit, but for numbers
+/// out of range, NaN and which of two zeros is the greater; wide rows may round
+/// otherwise.
 pub(crate) trait Lanes: Copy {
     type F64: Copy;
     type F32: Copy;
@@ -66,7 +67,8 @@ pub(crate) trait Lanes: Copy {
     /// The greatest of the first three lanes, in every lane.
     fn highest(self, a: Self::F32) -> Self::F32;
     fn abs_f32(self, a: Self::F32) -> Self::F32;
-    /// The least lane, in every lane; no lane is NaN. Of several negative ones, any.
+    /// The least of the first three lanes, none of them NaN, in each of them. Of several
+    /// negative ones, any.
     fn lowest(self, a: Self::F32) -> Self::F32;
     fn first(self, a: Self::F32) -> f32;
     /// Towards zero; out of range and NaN give some number.

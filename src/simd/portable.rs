@@ -183,8 +183,8 @@ impl Lanes for Portable {
         a.map(f32::abs)
     }
     #[inline(always)]
-    fn lowest(self, a: [f32; 4]) -> [f32; 4] {
-        [lesser(lesser(a[0], a[1]), lesser(a[2], a[3])); 4]
+    fn lowest(self, [x, y, z, _]: [f32; 4]) -> [f32; 4] {
+        [lesser(lesser(x, y), z); 4]
     }
     #[inline(always)]
     fn first(self, a: [f32; 4]) -> f32 {

@@ -3,45 +3,11 @@
 use core::arch::x86_64::*;
 
 use super::super::lanes::{Kernel, Lanes};
-use super::{eight_lanes, four_lanes, with};
+use super::{eight_lanes, four_lanes, shell, with};
 
-/// Proof that AVX2 and FMA are there.
-#[derive(Clone, Copy)]
-pub struct Avx2(());
-
-impl Avx2 {
-    /// Asks the processor.
-    pub fn detect() -> Option<Self> {
-        #[cfg(feature = "std")]
-        let there = std::arch::is_x86_feature_detected!("avx2")
-            && std::arch::is_x86_feature_detected!("fma")
-            && std::arch::is_x86_feature_detected!("popcnt")
-            && std::arch::is_x86_feature_detected!("bmi1")
-            && std::arch::is_x86_feature_detected!("bmi2");
-        #[cfg(not(feature = "std"))]
-        let there = cfg!(all(
-            target_feature = "avx2",
-            target_feature = "fma",
-            target_feature = "popcnt",
-            target_feature = "bmi1",
-            target_feature = "bmi2"
-        ));
-        there.then_some(Self(()))
-    }
-
-    /// Asks nobody.
-    ///
-    /// # Safety
-    /// [`Avx2::detect`] has succeeded in this process.
-    #[inline(always)]
-    pub unsafe fn detected() -> Self {
-        Self(())
-    }
-}
-
-#[target_feature(enable = "avx2,fma,popcnt,bmi1,bmi2")]
-fn compiled<K: Kernel<Avx2>>(kernel: K, lanes: Avx2) -> K::Out {
-    kernel.run(lanes)
+shell! {
+    /// Proof that AVX2, FMA, POPCNT and BMI are there.
+    Avx2: "avx2", "fma", "popcnt", "bmi1", "bmi2"
 }
 
 /// For each mask the lanes that it has, then zeros.
@@ -64,13 +30,7 @@ const ORDERS: [[u8; 8]; 256] = {
 
 impl Lanes for Avx2 {
     four_lanes!();
-
     eight_lanes!();
-
-    #[inline(always)]
-    fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
-        with!(compiled(kernel, self))
-    }
 
     #[inline(always)]
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {

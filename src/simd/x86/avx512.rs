@@ -5,53 +5,17 @@
 use core::arch::x86_64::*;
 
 use super::super::lanes::{Kernel, Lanes};
-use super::{eight_lanes, four_lanes, with};
+use super::{eight_lanes, four_lanes, shell, with};
 
-/// Proof that AVX-512 (F, VL, DQ), AVX2 and FMA are there.
-#[derive(Clone, Copy)]
-pub struct Avx512(());
-
-impl Avx512 {
-    /// Asks the processor.
-    pub fn detect() -> Option<Self> {
-        #[cfg(feature = "std")]
-        let there = std::arch::is_x86_feature_detected!("avx512f")
-            && std::arch::is_x86_feature_detected!("avx512vl")
-            && std::arch::is_x86_feature_detected!("avx512dq")
-            && super::Avx2::detect().is_some();
-        #[cfg(not(feature = "std"))]
-        let there = cfg!(all(
-            target_feature = "avx512f",
-            target_feature = "avx512vl",
-            target_feature = "avx512dq"
-        )) && super::Avx2::detect().is_some();
-        there.then_some(Self(()))
-    }
-
-    /// Asks nobody.
-    ///
-    /// # Safety
-    /// [`Avx512::detect`] has succeeded in this process.
-    #[inline(always)]
-    pub unsafe fn detected() -> Self {
-        Self(())
-    }
-}
-
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma,popcnt,bmi1,bmi2")]
-fn compiled<K: Kernel<Avx512>>(kernel: K, lanes: Avx512) -> K::Out {
-    kernel.run(lanes)
+shell! {
+    /// Proof that AVX-512 (F, VL, DQ), AVX2, FMA, POPCNT and BMI are there.
+    Avx512: "avx512f", "avx512vl", "avx512dq", "avx2", "fma", "popcnt", "bmi1",
+        "bmi2"
 }
 
 impl Lanes for Avx512 {
     four_lanes!();
-
     eight_lanes!();
-
-    #[inline(always)]
-    fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
-        with!(compiled(kernel, self))
-    }
 
     #[inline(always)]
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {

@@ -7,9 +7,11 @@
 
 mod avx2;
 mod avx512;
+mod shell;
 
 pub use avx2::Avx2;
 pub use avx512::Avx512;
+use shell::shell;
 
 /// Wraps intrinsics; see the module on why they are there.
 macro_rules! with {
@@ -36,6 +38,10 @@ macro_rules! four_lanes {
             let mut array = [0.0; 4];
             with!(_mm_storeu_ps(array.as_mut_ptr(), a));
             array
+        }
+        #[inline(always)]
+        fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
+            with!(compiled(kernel, self))
         }
         #[inline(always)]
         fn load_f64(self, a: &[f64; 4]) -> __m256d {
@@ -189,9 +195,9 @@ macro_rules! four_lanes {
             // As integers, which takes a quarter of the time.
             with!({
                 let a = _mm_castps_si128(a);
-                let pairs = _mm_min_epi32(a, _mm_shuffle_epi32::<0b10_11_00_01>(a));
-                let all = _mm_min_epi32(pairs, _mm_shuffle_epi32::<0b01_00_11_10>(pairs));
-                _mm_castsi128_ps(all)
+                let xy_z = _mm_min_epi32(a, _mm_shuffle_epi32::<0b10_10_00_01>(a));
+                let xyz = _mm_min_epi32(xy_z, _mm_shuffle_epi32::<0b00_00_10_10>(xy_z));
+                _mm_castsi128_ps(xyz)
             })
         }
         #[inline(always)]
