@@ -18,10 +18,15 @@ mod memory;
 mod options;
 mod query;
 mod rebuild;
+mod sized;
 mod stats;
+mod stream;
+mod stream_soa;
 pub mod types;
 
 pub use build::*;
 pub use query::*;
 pub use rebuild::*;
 pub use stats::*;
+pub use stream::*;
+pub use stream_soa::*;

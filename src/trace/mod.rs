@@ -17,3 +17,5 @@ mod stream;
 mod walk;
 
 pub use counters::Counters;
+#[cfg(feature = "capi")]
+pub(crate) use stream::Port;

@@ -55,7 +55,7 @@ impl View<'_> {
     }
 
     #[inline]
-    fn single<Q: Query, C: Count>(&self, ray: &Ray, counters: &mut C) -> Q::Out {
+    pub(super) fn single<Q: Query, C: Count>(&self, ray: &Ray, counters: &mut C) -> Q::Out {
         fpenv::with_default(|| {
             if self.header().grids.count == 0 {
                 return Q::miss(ray);

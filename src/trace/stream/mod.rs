@@ -15,7 +15,7 @@ mod phases;
 mod queues;
 mod slot;
 
-use super::counters::{Count, Uncounted};
+use super::counters::{Count, Counters, Uncounted};
 use super::query::{Any, Closest, Query, usable};
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
@@ -26,6 +26,9 @@ use slot::{Frame, Slot};
 
 /// Grids above their own in which all rays in flight can be together.
 const FRAMES: usize = 4 * SLOTS;
+
+/// Rays that are sooner answered one by one.
+const FEW: usize = 8;
 
 /// Where rays come from and answers go.
 pub(crate) trait Port<Out> {
@@ -172,37 +175,66 @@ impl<Out> Port<Out> for Slices<'_, Out> {
 }
 
 impl View<'_> {
-    /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit, at
+    /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit, in
     /// less time a ray, whether rays are alike or not. If there are more rays than
-    /// hits, or the reverse, the rest is left alone. Uses some 30 kB of stack.
+    /// hits, or the reverse, the rest is left alone. Takes about 40 kB of stack.
     pub fn intersect_n(&self, rays: &[Ray], hits: &mut [Hit]) {
         let n = rays.len().min(hits.len());
-        self.stream::<Closest, _>(&mut Slices { rays, answers: hits }, n, &mut Uncounted);
+        self.intersect_port(&mut Slices { rays, answers: hits }, n, None);
     }
 
     /// Whether rays hit anything, one answer each, as [`View::intersect_n`].
     pub fn occluded_n(&self, rays: &[Ray], occluded: &mut [bool]) {
         let n = rays.len().min(occluded.len());
-        self.stream::<Any, _>(&mut Slices { rays, answers: occluded }, n, &mut Uncounted);
+        self.occluded_port(&mut Slices { rays, answers: occluded }, n, None);
     }
 
-    pub(crate) fn intersect_port(&self, port: &mut dyn Port<Hit>, n: usize) {
-        self.stream::<Closest, _>(port, n, &mut Uncounted);
+    /// [`View::intersect_n`], adding what it did to `counters`: the sum of what
+    /// [`View::intersect_counted`] counts.
+    pub fn intersect_n_counted(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut Counters) {
+        let n = rays.len().min(hits.len());
+        self.intersect_port(&mut Slices { rays, answers: hits }, n, Some(counters));
     }
 
-    pub(crate) fn occluded_port(&self, port: &mut dyn Port<bool>, n: usize) {
-        self.stream::<Any, _>(port, n, &mut Uncounted);
+    /// [`View::occluded_n`], adding what it did to `counters`.
+    pub fn occluded_n_counted(&self, rays: &[Ray], occluded: &mut [bool], counters: &mut Counters) {
+        let n = rays.len().min(occluded.len());
+        self.occluded_port(&mut Slices { rays, answers: occluded }, n, Some(counters));
+    }
+
+    pub(crate) fn intersect_port(
+        &self,
+        port: &mut dyn Port<Hit>,
+        n: usize,
+        counters: Option<&mut Counters>,
+    ) {
+        match counters {
+            Some(counters) => self.stream::<Closest, _>(port, n, counters),
+            None => self.stream::<Closest, _>(port, n, &mut Uncounted),
+        }
+    }
+
+    pub(crate) fn occluded_port(
+        &self,
+        port: &mut dyn Port<bool>,
+        n: usize,
+        counters: Option<&mut Counters>,
+    ) {
+        match counters {
+            Some(counters) => self.stream::<Any, _>(port, n, counters),
+            None => self.stream::<Any, _>(port, n, &mut Uncounted),
+        }
     }
 
     fn stream<Q: Query, C: Count>(&self, port: &mut dyn Port<Q::Out>, n: usize, counters: &mut C) {
         fpenv::with_default(|| {
-            if self.header().grids.count == 0 {
-                for i in 0..n {
-                    let ray = port.ray(i);
-                    port.put(i, Q::miss(&ray));
-                }
-            } else {
+            if self.header().grids.count > 0 && n >= FEW {
                 dispatch(Run::<Q, C> { view: self, port, n, counters });
+            } else {
+                for i in 0..n {
+                    let answer = self.single::<Q, C>(&port.ray(i), counters);
+                    port.put(i, answer);
+                }
             }
         });
     }
