@@ -129,7 +129,7 @@ impl Grower<'_> {
         let mut growth = Growth {
             block: Block { lo, hi },
             left,
-            open: (0..6).fold(0, |open, face| open | u32::from(left[face] > 0) << face) & open,
+            open,
             rows: self.rows,
             place: self.masks.place(window, lo[1], lo[2]),
             zero: window.bit.wrapping_sub(at[0]),
@@ -165,10 +165,11 @@ impl Growth<'_> {
         step: usize,
         harmless: &impl Fn(u64, usize, usize) -> bool,
     ) {
-        if self.open >> FACE & 1 == 0 {
+        let most = step.min(self.left[FACE]);
+        if self.open >> FACE & 1 == 0 || most == 0 {
+            self.open &= !(1 << FACE);
             return;
         }
-        let most = step.min(self.left[FACE]);
         let up = FACE == 1;
         let Block { lo, hi } = self.block;
         let edge = self.zero.wrapping_add(if up { hi[0] } else { lo[0] });
