@@ -11,8 +11,15 @@ fn header_is_generated() {
     let mut made = Vec::new();
     let mut builder = cbindgen::Builder::new().with_config(config);
     // These files alone: constants of other modules are no part of the interface.
-    let files =
-        ["types.rs", "build.rs", "rebuild.rs", "query.rs", "stream.rs", "stream_soa.rs", "stats.rs"];
+    let files = [
+        "types.rs",
+        "build.rs",
+        "rebuild.rs",
+        "query.rs",
+        "stream.rs",
+        "stream_soa.rs",
+        "stats.rs",
+    ];
     for file in files {
         builder = builder.with_src(root.join("src/capi").join(file));
     }

@@ -7,8 +7,9 @@
 use super::bounds::Frame;
 use super::control::{Control, TASKS};
 use super::draft::{Draft, Span};
-use super::exit::{SLAB, clear, clearance_len, plane_len, planes};
+use super::exit::{SLAB, masks, plane_len, planes};
 use super::frame::Grid;
+use super::masks::Masks;
 use super::scratch::cut;
 use crate::Error;
 use crate::arena::layout::{
@@ -22,18 +23,16 @@ const RUN: u64 = 1 << 13;
 
 /// Words of the references' section that a voxel takes.
 pub fn words(draft: &Draft<'_>, span: Span) -> u64 {
-    match draft.list(span) {
-        [] => 0,
-        [only] if only & GRID_BIT != 0 => 0,
-        list => (LIST_HEAD + REF_WORDS * list.len()) as u64,
+    match span.count {
+        0 => 0,
+        1 if draft.list(span)[0] & GRID_BIT != 0 => 0,
+        count => LIST_HEAD as u64 + REF_WORDS as u64 * u64::from(count),
     }
 }
 
 /// What the parts read.
 struct Input<'a> {
     draft: &'a Draft<'a>,
-    /// The triangles' places in the arena.
-    numbers: &'a [u32],
     /// The triangles of the arena.
     triangles: &'a [Triangle],
 }
@@ -79,21 +78,22 @@ fn sides(grid: &Grid) -> [usize; 3] {
 /// Words of memory for a grid's exit boxes; 0 where there are to be none, as the
 /// whole `table` is too small.
 fn memory_len(grid: &Grid, table: usize) -> usize {
-    let words = clearance_len(sides(grid)) + plane_len(sides(grid));
-    if words <= table { words } else { 0 }
+    let n = sides(grid);
+    let words = Masks::size(n).min(table.saturating_sub(plane_len(n)));
+    if words < Masks::least(n) { 0 } else { words + plane_len(n) }
 }
 
-/// Writes all voxels and lists. `numbers`: the places in the arena of its `triangles`;
-/// `table`: memory for exit boxes; a grid that needs more of it goes without.
+/// Writes all voxels and lists. `triangles`: those of the arena; `table`: memory for exit
+/// boxes; a grid that needs more of it goes without.
 pub fn write(
     draft: &Draft<'_>,
-    (numbers, triangles): (&[u32], &[Triangle]),
+    triangles: &[Triangle],
     table: &mut [u64],
     (voxels, refs): (&mut [u32], &mut [u32]),
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let total = voxels.len();
-    let input = &Input { draft, numbers, triangles };
+    let input = &Input { draft, triangles };
     let mut free = Free { voxels, refs, first: 0 };
     let mut grids = draft.grids();
     while let Some((first, rest)) = grids.split_first() {
@@ -123,20 +123,21 @@ fn runs<'g>(
     free: &mut Free<'_>,
     control: &Control<'_>,
 ) -> Result<&'g [Grid], Error> {
+    let draft = input.draft;
     let size = table.len();
     let mut memory = table;
     let mut runs = [(); TASKS].map(|()| {
         let (count, words) = run_len(grids, size, memory.len());
         let (run, rest) = grids.split_at(count);
         grids = rest;
-        let output = free.take(input.draft, run.iter().map(|grid| input.draft.spans(grid)));
+        let output = free.take(draft, run.iter().map(|grid| draft.spans(grid)));
         Run { grids: run, memory: cut(&mut memory, words), output }
     });
     let used = runs.iter().take_while(|run| !run.grids.is_empty()).count();
     control.each(&mut runs[..used], |run| {
         let mut at = 0;
         for grid in run.grids {
-            let spans = input.draft.spans(grid);
+            let spans = draft.spans(grid);
             let words = &mut run.output.voxels[at..at + spans.len()];
             at += spans.len();
             let len = memory_len(grid, size);
@@ -144,8 +145,8 @@ fn runs<'g>(
                 words.fill(0);
             } else {
                 let (plane, rest) = run.memory[..len].split_at_mut(plane_len(sides(grid)));
-                let clearance = clear(grid, input.draft, rest);
-                planes(grid, input.draft, &clearance, 0, plane, words);
+                let masks = masks(grid, draft, rest);
+                planes(grid, draft, &masks, 0, plane, words);
             }
         }
         for grid in run.grids {
@@ -185,33 +186,37 @@ fn slabs(
     free: &mut Free<'_>,
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
+    let draft = input.draft;
     let n = sides(grid);
     let exits = memory_len(grid, table.len()) > 0;
-    let (memory, clearance) = if exits {
-        let (head, rest) = table.split_at_mut(clearance_len(n));
-        (rest, Some(clear(grid, input.draft, head)))
+    let (memory, masks) = if exits {
+        // A quarter at most is kept for the tasks' planes.
+        let planes = (TASKS * plane_len(n)).min(table.len() / 4).max(plane_len(n));
+        let most = Masks::size(n).min(table.len() - planes).max(Masks::least(n));
+        let (head, rest) = table.split_at_mut(most);
+        (rest, Some(masks(grid, draft, head)))
     } else {
         (&mut table[..0], None)
     };
     let plane = if exits { plane_len(n) } else { 0 };
     let most = memory.len().checked_div(plane).map_or(TASKS, |fit| fit.min(TASKS));
-    let mut slabs = input.draft.spans(grid).chunks(SLAB * n[0] * n[1]).enumerate();
+    let mut slabs = draft.spans(grid).chunks(SLAB * n[0] * n[1]).enumerate();
     let total = n[2].div_ceil(SLAB);
     while slabs.len() > 0 {
         let mut memory = &mut *memory;
         let mut next = slabs.by_ref().take(most);
         let mut tasks = [(); TASKS].map(|()| {
             let (number, spans) = next.next()?;
-            let output = free.take(input.draft, core::iter::once(spans));
+            let output = free.take(draft, core::iter::once(spans));
             Some(Slab { first: number * SLAB, spans, memory: cut(&mut memory, plane), output })
         });
         let used = tasks.iter().flatten().count();
         control.each(&mut tasks[..used], |task| {
             let Some(slab) = task else { return };
-            match &clearance {
-                Some(clearance) => {
+            match &masks {
+                Some(masks) => {
                     let words = &mut *slab.output.voxels;
-                    planes(grid, input.draft, clearance, slab.first, slab.memory, words);
+                    planes(grid, draft, masks, slab.first, slab.memory, words);
                 }
                 None => slab.output.voxels.fill(0),
             }
@@ -240,11 +245,7 @@ impl Output<'_> {
                     let (head, rest) = cut(&mut self.refs, words).split_at_mut(LIST_HEAD);
                     head.copy_from_slice(&[*word, span.count]);
                     let (refs, boxes) = rest.split_at_mut(list.len());
-                    for (to, &object) in refs.iter_mut().zip(list) {
-                        let triangle = object & GRID_BIT == 0;
-                        *to = if triangle { input.numbers[object as usize] } else { object };
-                    }
-                    refs.sort_unstable();
+                    refs.copy_from_slice(list);
                     let frame = Frame::new(grid, at, *word);
                     for (to, &reference) in boxes.iter_mut().zip(&*refs) {
                         *to = if reference & GRID_BIT == 0 {
