@@ -49,6 +49,13 @@ impl Corners for Triangle {
     }
 }
 
+/// A hit: the rounded `t`, and the rounded weights `u` and `v` if they are as easily
+/// known.
+pub struct Met {
+    pub t: f32,
+    pub weights: Option<(f32, f32)>,
+}
+
 /// A ray made ready for many triangles.
 #[derive(Clone, Copy)]
 pub struct Line {
@@ -92,23 +99,28 @@ impl Line {
         Self { org: double(ray.org), dir: double(ray.dir), tmin }
     }
 
-    /// The rounded `t` of the hit, if there is one with `tmin <= t <= tmax`.
+    /// The hit, if there is one with `tmin <= t <= tmax`.
     #[inline(always)]
-    pub fn meet(&self, triangle: &impl Corners, tmax: f32) -> Option<f32> {
+    pub fn meet(&self, triangle: &impl Corners, tmax: f32) -> Option<Met> {
         let near = Estimate::new(&self.org, &self.dir, triangle);
         match near.sides() {
             Sides::Outside => None,
             Sides::Inside => {
                 let t = near.t();
                 if t.low == t.high {
-                    self.in_range(t.low, tmax)
+                    let t = self.in_range(t.low, tmax)?;
+                    Some(Met { t, weights: near.rounded_weights() })
                 } else if t.high < self.tmin || t.low > tmax {
                     None
                 } else {
-                    self.in_range(self.t_inside(&triangle.all()), tmax)
+                    let t = self.in_range(self.t_inside(&triangle.all()), tmax)?;
+                    Some(Met { t, weights: None })
                 }
             }
-            Sides::Unsure => self.meet_exactly(&triangle.all(), tmax),
+            Sides::Unsure => {
+                let t = self.meet_exactly(&triangle.all(), tmax)?;
+                Some(Met { t, weights: None })
+            }
         }
     }
 
@@ -137,10 +149,7 @@ impl Line {
     #[inline(always)]
     pub fn weights(&self, triangle: &impl Corners) -> (f32, f32) {
         let near = Estimate::new(&self.org, &self.dir, triangle);
-        match near.weights() {
-            Some((u, v)) if u.low == u.high && v.low == v.high => (u.low + 0.0, v.low + 0.0),
-            _ => self.weights_exactly(&triangle.all()),
-        }
+        near.rounded_weights().unwrap_or_else(|| self.weights_exactly(&triangle.all()))
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
 use crate::simd::Lanes;
-use crate::triangle::{Line, normal};
+use crate::triangle::{Line, Met, normal};
 
 /// What a walk looks for.
 pub(crate) trait Query: Copy {
@@ -29,6 +29,7 @@ pub(crate) struct Closest {
     geom: u32,
     prim: u32,
     number: u32,
+    weights: Option<(f32, f32)>,
 }
 
 impl Query for Closest {
@@ -41,7 +42,7 @@ impl Query for Closest {
 
     #[inline(always)]
     fn new(ray: &Ray) -> Self {
-        Self { limit: ray.tmax, geom: NONE, prim: NONE, number: NONE }
+        Self { limit: ray.tmax, geom: NONE, prim: NONE, number: NONE, weights: None }
     }
 
     #[inline(always)]
@@ -51,10 +52,10 @@ impl Query for Closest {
 
     #[inline(always)]
     fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool> {
-        let t = line.meet(triangle, self.limit)?;
+        let Met { t, weights } = line.meet(triangle, self.limit)?;
         if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
             let Triangle { geom, prim, .. } = *triangle;
-            *self = Self { limit: t, geom, prim, number };
+            *self = Self { limit: t, geom, prim, number, weights };
         }
         Some(false)
     }
@@ -65,7 +66,7 @@ impl Query for Closest {
             return Self::miss(ray);
         }
         let triangle = sections.triangle(self.number);
-        let (u, v) = Line::new(ray).weights(triangle);
+        let (u, v) = self.weights.unwrap_or_else(|| Line::new(ray).weights(triangle));
         Hit {
             t: self.limit,
             u,

@@ -126,11 +126,14 @@ impl Estimate {
         self.quotient(self.height, self.height_error)
     }
 
-    /// The weights of the second and the third corner, if `det` is known well enough.
+    /// The weights of the second and the third corner, if `det` is known well enough
+    /// for their rounding to be certain.
     #[inline(always)]
-    pub fn weights(&self) -> Option<(Range, Range)> {
+    pub fn rounded_weights(&self) -> Option<(f32, f32)> {
+        let (u, v) = (self.quotient(self.u, self.u_error), self.quotient(self.v, self.v_error));
         let known = self.det.abs() > 2.5 * self.det_error;
-        known.then(|| (self.quotient(self.u, self.u_error), self.quotient(self.v, self.v_error)))
+        // Adding +0 turns -0 into +0 and changes nothing else.
+        (known & (u.low == u.high) & (v.low == v.high)).then_some((u.low + 0.0, v.low + 0.0))
     }
 
     /// `num / det`, for |det| above 5/2 of its error bound; where all weights are
