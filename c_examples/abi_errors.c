@@ -15,6 +15,7 @@ int main(void)
     check_open();
     check_queries();
     check_statistics();
+    check_distributions();
     printf("abi_errors: %u expectations, %u failed\n", check_count(), check_failures());
     return check_failures() ? 1 : 0;
 }

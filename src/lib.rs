@@ -53,7 +53,7 @@ pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
-pub use stats::{Level, Moments, Stats};
+pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
 pub use trace::Counters;
 
 #[cfg(feature = "panic-handler")]

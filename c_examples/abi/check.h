@@ -26,5 +26,6 @@ void check_rebuild(void);
 void check_open(void);
 void check_queries(void);
 void check_statistics(void);
+void check_distributions(void);
 
 #endif

@@ -13,6 +13,7 @@
 mod build;
 mod callbacks;
 mod desc;
+mod distribution;
 mod guard;
 mod memory;
 mod options;
@@ -22,6 +23,7 @@ mod stats;
 pub mod types;
 
 pub use build::*;
+pub use distribution::*;
 pub use query::*;
 pub use rebuild::*;
 pub use stats::*;

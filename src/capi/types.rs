@@ -338,7 +338,42 @@ pub struct hug_level_stats {
     pub bytes: u64,
 }
 
-/// What a scene is made of. Set struct_size before the call.
+/// Section 3's percentages of one level of grids, or of all.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct hug_level_shares {
+    /// %obj by its definition: of the scene's triangles, those that the level
+    /// refers to. Sums to more than 100 where levels share triangles.
+    pub objects: f64,
+    /// %obj as the paper's tables print it: of the sum of the levels' triangles.
+    pub objects_of_levels: f64,
+    /// %grids.
+    pub grids: f64,
+    /// %voxels.
+    pub voxels: f64,
+    /// %ptrs.
+    pub pointers: f64,
+    /// %vol: of the largest grid's volume.
+    pub volume: f64,
+    /// Of the bytes of grids, voxels and references.
+    pub bytes: f64,
+    /// %o: of the level's voxels, those that refer to triangles.
+    pub object_voxels: f64,
+    /// %g: of the level's voxels, those that refer to grids.
+    pub grid_voxels: f64,
+    /// mu_og by its definition: distinct triangles a grid.
+    pub objects_per_grid: f64,
+    /// mu_og as figures 14 and 17 print it: %obj / %grids.
+    pub objects_per_grid_printed: f64,
+    /// mu_ov as figure 12 prints it: distinct triangles over voxels. By its
+    /// definition it is hug_level_stats.object_mean.
+    pub distinct_per_voxel: f64,
+    /// mu'_ov likewise: over the voxels that refer to triangles.
+    pub distinct_per_filled_voxel: f64,
+}
+
+/// What a scene is made of. Set struct_size before the call; a program compiled
+/// against an older header passes a smaller one, and gets the fields it knows.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct hug_scene_stats {
@@ -372,6 +407,10 @@ pub struct hug_scene_stats {
     pub total: hug_level_stats,
     /// Level by level.
     pub level: [hug_level_stats; HUG_MAX_LEVELS],
+    /// All levels together, in percent: objects and volume are sums over them.
+    pub total_share: hug_level_shares,
+    /// Level by level, in percent.
+    pub level_share: [hug_level_shares; HUG_MAX_LEVELS],
 }
 
 const _: () = assert!(size_of::<hug_ray>() == size_of::<crate::Ray>());
