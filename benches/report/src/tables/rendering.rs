@@ -1,0 +1,1 @@
+//! Figures 20, 22 and 23: what a picture costs, level by level.
