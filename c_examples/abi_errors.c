@@ -16,6 +16,7 @@ int main(void)
     check_queries();
     check_statistics();
     check_distributions();
+    check_profiles();
     printf("abi_errors: %u expectations, %u failed\n", check_count(), check_failures());
     return check_failures() ? 1 : 0;
 }

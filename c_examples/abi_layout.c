@@ -24,6 +24,8 @@ ALIGNMENT_PROBE(hug_scene_stats);
 ALIGNMENT_PROBE(hug_level_shares);
 ALIGNMENT_PROBE(hug_voxel_histogram);
 ALIGNMENT_PROBE(hug_scene_lengths);
+ALIGNMENT_PROBE(hug_calls);
+ALIGNMENT_PROBE(hug_profile);
 
 #define STRUCT(type)                                          \
     printf("%s %u %u\n", #type, (unsigned)sizeof(type),       \
@@ -200,6 +202,24 @@ static void print_scene_lengths(void)
     FIELD(hug_scene_lengths, below_fifth);
 }
 
+static void print_calls(void)
+{
+    STRUCT(hug_calls);
+    FIELD(hug_calls, grids);
+    FIELD(hug_calls, voxels);
+    FIELD(hug_calls, tests);
+    FIELD(hug_calls, hits);
+    FIELD(hug_calls, passed_1);
+    FIELD(hug_calls, passed_2);
+}
+
+static void print_profile(void)
+{
+    STRUCT(hug_profile);
+    FIELD(hug_profile, total);
+    FIELD(hug_profile, level);
+}
+
 int main(void)
 {
     print_geometry();
@@ -212,5 +232,7 @@ int main(void)
     print_level_shares();
     print_voxel_histogram();
     print_scene_lengths();
+    print_calls();
+    print_profile();
     return 0;
 }

@@ -54,7 +54,7 @@ pub use ray::{Hit, NONE, Ray};
 pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
 pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
-pub use trace::Counters;
+pub use trace::{Calls, Counters, Profile};
 
 #[cfg(feature = "panic-handler")]
 #[panic_handler]

@@ -10,7 +10,7 @@ use hug::capi::types::{
     hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_level_shares, hug_level_stats,
     hug_ray, hug_scene_stats,
 };
-use hug::capi::{hug_scene_lengths, hug_voxel_histogram};
+use hug::capi::{hug_calls, hug_profile, hug_scene_lengths, hug_voxel_histogram};
 use std::mem::{align_of, offset_of, size_of};
 use std::process::Command;
 
@@ -66,6 +66,8 @@ fn expected() -> Vec<String> {
             struct_size, capacity, counts, cumulated, share, triangles, min, max, diagonal,
             below_fifth,
         }
+        hug_calls { grids, voxels, tests, hits, passed_1, passed_2 }
+        hug_profile { total, level }
     }
 }
 

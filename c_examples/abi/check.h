@@ -27,5 +27,6 @@ void check_open(void);
 void check_queries(void);
 void check_statistics(void);
 void check_distributions(void);
+void check_profiles(void);
 
 #endif

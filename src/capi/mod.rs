@@ -17,6 +17,7 @@ mod distribution;
 mod guard;
 mod memory;
 mod options;
+mod profile;
 mod query;
 mod rebuild;
 mod stats;
@@ -24,6 +25,7 @@ pub mod types;
 
 pub use build::*;
 pub use distribution::*;
+pub use profile::*;
 pub use query::*;
 pub use rebuild::*;
 pub use stats::*;

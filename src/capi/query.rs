@@ -10,7 +10,7 @@ use crate::{Hit, Ray};
 ///
 /// # Safety
 /// `scene` is a valid scene.
-unsafe fn view<'a>(scene: *const hug_scene) -> View<'a> {
+pub(super) unsafe fn view<'a>(scene: *const hug_scene) -> View<'a> {
     // SAFETY: by the caller.
     unsafe { View::from_ptr(scene.cast()) }
 }
@@ -19,7 +19,7 @@ unsafe fn view<'a>(scene: *const hug_scene) -> View<'a> {
 ///
 /// # Safety
 /// `ray` is readable.
-unsafe fn read(ray: *const hug_ray) -> Ray {
+pub(super) unsafe fn read(ray: *const hug_ray) -> Ray {
     // SAFETY: the two structs have the same layout; readable by the caller.
     unsafe { ray.cast::<Ray>().read_unaligned() }
 }

@@ -1,5 +1,8 @@
 //! What a walk counts, or does not.
 
+use crate::ray::Ray;
+use crate::triangle::Corners;
+
 /// What queries did; a counted query adds to it. The same numbers on every
 /// machine and instruction set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,10 +21,15 @@ pub struct Counters {
 pub(crate) trait Count {
     /// Whether it counts.
     const COUNTS: bool = true;
+    /// Whether it wants to look at every triangle that is tested.
+    const LOOKS: bool = false;
+    /// What follows happens on this level, until told otherwise.
+    fn level(&mut self, _: u8) {}
     fn grid(&mut self) {}
     fn voxel(&mut self) {}
     fn tests(&mut self, _: usize) {}
     fn hit(&mut self) {}
+    fn look(&mut self, _: &Ray, _: &impl Corners) {}
 }
 
 /// Counts nothing.

@@ -2,15 +2,17 @@
 //!
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
-//! rejects triangles cheaply, `query` says what is looked for, `counters` what is
-//! counted.
+//! rejects triangles cheaply, `query` says what is looked for, `counters` and
+//! `profile` what is counted.
 
 mod counters;
 mod course;
 mod local;
+mod profile;
 mod query;
 mod rebase;
 mod sieve;
 mod walk;
 
 pub use counters::Counters;
+pub use profile::{Calls, Profile};

@@ -9,6 +9,7 @@ use crate::triangle::{Line, normal};
 use crate::simd::{AnyKernel, Lanes, dispatch};
 
 use super::counters::{Count, Counters, Uncounted};
+use super::profile::Profile;
 use super::walk::Walk;
 
 /// What a walk looks for.
@@ -131,6 +132,16 @@ impl View<'_> {
     /// [`View::occluded`], adding what it did to `counters`.
     pub fn occluded_counted(&self, ray: &Ray, counters: &mut Counters) -> bool {
         self.any(ray, counters)
+    }
+
+    /// [`View::intersect`], adding what it did on each level to `profile`.
+    pub fn intersect_profiled(&self, ray: &Ray, profile: &mut Profile) -> Hit {
+        self.closest(ray, profile)
+    }
+
+    /// [`View::occluded`], adding what it did on each level to `profile`.
+    pub fn occluded_profiled(&self, ray: &Ray, profile: &mut Profile) -> bool {
+        self.any(ray, profile)
     }
 
     #[inline]

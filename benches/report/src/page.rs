@@ -6,7 +6,7 @@ use crate::pictures::{heat, slice};
 use crate::plots::curve;
 use crate::plots::distribution::Distribution;
 use crate::sheet::Sheet;
-use crate::tables::{lengths, occupancy, performance};
+use crate::tables::{lengths, occupancy, performance, rendering};
 use hug::cumulated;
 use hug_bench::machine;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -76,24 +76,26 @@ fn reading() -> Markup {
 }
 
 fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String> {
-    let mut add = |sheet: Sheet| {
-        let page = sheet.page();
-        sheets.push(sheet);
-        page
-    };
-    let bottom: Vec<Markup> = performance::bottom(subject).into_iter().map(&mut add).collect();
+    let mut performance = performance::bottom(subject);
+    performance.push(rendering::successes(subject));
+    let performance = shown(performance, sheets);
     let mut structures = Vec::new();
     for built in &subject.built {
-        let tables: Vec<Markup> = occupancy::sheets(built).into_iter().map(&mut add).collect();
+        let mut tables = occupancy::sheets(built);
+        tables.extend((0..subject.frames.len()).map(|f| rendering::sheet(subject, built, f)));
+        let tables = shown(tables, sheets);
         structures.push(structure(built, &tables)?);
+        // Long, and drawn: a file alone.
+        sheets.push(occupancy::histogram(built));
     }
+    sheets.push(lengths::histogram(subject));
     Ok(html! {
         section id=(subject.short) {
             h2 { (subject.loaded.name) }
             div.pictures { figure.plot { (PreEscaped(length_chart(subject)?)) } }
             (heat::views(subject)?)
             h3 { "Performance" }
-            @for table in &bottom { (table) }
+            @for table in &performance { (table) }
             @if let Some(chart) = curve_chart(subject)? {
                 figure.plot { (PreEscaped(chart)) }
             }
@@ -104,6 +106,13 @@ fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String>
             (heat::all(subject)?)
         }
     })
+}
+
+/// Tables for the page; they also become files.
+fn shown(tables: Vec<Sheet>, sheets: &mut Vec<Sheet>) -> Vec<Markup> {
+    let pages = tables.iter().map(Sheet::page).collect();
+    sheets.extend(tables);
+    pages
 }
 
 fn structure(built: &Built, tables: &[Markup]) -> Result<Markup, String> {
@@ -131,25 +140,28 @@ fn percentages(counts: &[u64], whole: u64) -> (Vec<f64>, Vec<f64>) {
 
 /// Voxels by their triangles; where few are far fuller than the rest, also the left part alone.
 fn occupancy_charts(built: &Built, level: usize, counts: &[u64]) -> Result<Vec<String>, String> {
-    let (percent, sums) = percentages(counts, counts.iter().sum());
-    let chart = |title: &str, classes: usize| {
-        Distribution {
-            title,
-            x: "triangles a voxel refers to",
-            percent: &percent[..classes],
-            cumulated: &sums[..classes],
-            start: 0.0,
-            width: 1.0,
-        }
-        .svg()
+    let whole = counts.iter().sum();
+    let chart = |title: &str, counts: &[u64], width: usize| {
+        let grouped: Vec<u64> = counts.chunks(width).map(|some| some.iter().sum()).collect();
+        let (percent, cumulated) = percentages(&grouped, whole);
+        let x = match width {
+            1 => "triangles a voxel refers to".to_owned(),
+            _ => format!("triangles a voxel refers to, in classes of {width}"),
+        };
+        // A bar stands over its number.
+        let (percent, cumulated) = (&percent[..], &cumulated[..]);
+        Distribution { title, x: &x, percent, cumulated, start: -0.5, width: width as f64 }.svg()
     };
     let title = format!("{}, level {level}", built.name);
-    let mut charts = vec![chart(&title, counts.len())?];
+    let mut charts = vec![chart(&title, counts, counts.len().div_ceil(BARS))?];
     if counts.len() > 2 * ZOOM {
-        charts.push(chart(&format!("{title}: the left part"), ZOOM)?);
+        charts.push(chart(&format!("{title}: the left part"), &counts[..ZOOM], 1)?);
     }
     Ok(charts)
 }
+
+/// Most bars of a chart: more could not be seen.
+const BARS: usize = 120;
 
 /// Classes of the left part.
 const ZOOM: usize = 41;

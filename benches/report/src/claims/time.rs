@@ -49,7 +49,7 @@ fn uniform_slower(e: &Evidence<'_>) -> Claim {
     let wide = ratios.first().copied().unwrap_or([0.0; 2]);
     let views: Vec<String> = ratios.iter().map(text).collect();
     let most = ratios.iter().flatten().copied().fold(0.0, f64::max);
-    let tests = |b: &Built| b.rendered.iter().map(|r| r.counters.tests).collect::<Vec<_>>();
+    let tests = |b: &Built| b.rendered.iter().map(|r| r.profile.total().tests).collect::<Vec<_>>();
     let per = |a: &Built| {
         let pairs = tests(g).into_iter().zip(tests(a));
         pairs.map(|(a, b)| number(a as f64 / b.max(1) as f64)).collect::<Vec<_>>().join(", ")
@@ -78,7 +78,7 @@ fn root_two(e: &Evidence<'_>) -> Claim {
         return Claim::missing(what, paper, "a view of the kitchen");
     };
     let (faster, larger) = (before / after, root.megabytes() / one.megabytes());
-    let c = |b: &Built| (b.rendered[0].counters.tests as f64, b.rendered[0].counters.voxels as f64);
+    let c = |b: &Built| (b.calls(0).tests as f64, b.calls(0).voxels as f64);
     let (fewer, more) = (c(one).0 / c(root).0, c(root).1 / c(one).1);
     Claim {
         what,
@@ -113,8 +113,8 @@ fn equal_memory(e: &Evidence<'_>, scene: &str, what: &'static str) -> Claim {
         return missing();
     };
     let ratio = theirs / time;
-    let tests = |b: &Built| b.rendered[0].counters.tests as f64;
-    let voxels = |b: &Built| b.rendered[0].counters.voxels as f64;
+    let tests = |b: &Built| b.calls(0).tests as f64;
+    let voxels = |b: &Built| b.calls(0).voxels as f64;
     Claim {
         what,
         paper,
@@ -203,9 +203,9 @@ fn growth(
         reason: format!(
             "{}: tests grow by {}, voxels by {}, grids by {}",
             built.name,
-            per(bowl.counters.tests, wide.counters.tests),
-            per(bowl.counters.voxels, wide.counters.voxels),
-            per(bowl.counters.grids, wide.counters.grids)
+            per(bowl.profile.total().tests, wide.profile.total().tests),
+            per(bowl.profile.total().voxels, wide.profile.total().voxels),
+            per(bowl.profile.total().grids, wide.profile.total().grids)
         ),
     }
 }

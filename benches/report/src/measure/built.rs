@@ -2,7 +2,7 @@
 
 use super::render::{Frame, Rendered};
 use crate::pictures::slice::{self, Slice};
-use hug::{Occupancy, Stats};
+use hug::{Calls, Occupancy, Stats};
 use hug_bench::clock;
 use hug_bench::load::Loaded;
 use hug_bench::notation::Notation;
@@ -49,6 +49,11 @@ impl Built {
     /// in every structure.
     pub fn megabytes(&self) -> f64 {
         (self.stats.bytes - self.stats.triangle_bytes) as f64 / f64::from(1 << 20)
+    }
+
+    /// All calls of the picture of this number.
+    pub fn calls(&self, frame: usize) -> Calls {
+        self.rendered.get(frame).map(|r| r.profile.total()).unwrap_or_default()
     }
 
     /// CPU seconds of the picture of this number.

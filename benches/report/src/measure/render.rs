@@ -1,6 +1,6 @@
 //! Pictures, as the paper renders its own: primary rays, and shadow rays from what they hit.
 
-use hug::{Counters, Hit, Ray, View};
+use hug::{Hit, Profile, Ray, View};
 use hug_bench::clock;
 use hug_bench::figures::Spread;
 use hug_bench::load::Loaded;
@@ -54,8 +54,8 @@ fn shade(ray: &Ray, hit: &Hit) -> u8 {
 
 /// What a picture cost in one structure.
 pub struct Rendered {
-    /// Of all its rays.
-    pub counters: Counters,
+    /// Of all its rays, level by level.
+    pub profile: Profile,
     /// CPU seconds, the median of the rounds.
     pub seconds: f64,
     /// Tests and voxels of each pixel's primary ray, by row and column.
@@ -65,23 +65,23 @@ pub struct Rendered {
 
 impl Rendered {
     pub fn new(frame: &Frame, view: &View<'_>, rounds: u32, maps: bool) -> Self {
-        let mut counters = Counters::default();
+        let mut profile = Profile::default();
         let pixels = (frame.size * frame.size) as usize;
         let (mut tests, mut voxels) = (vec![0; pixels], vec![0; pixels]);
         for (ray, [x, y]) in frame.primary.iter().zip(rays::primary_pixels(frame.size)) {
-            let before = counters;
-            view.intersect_counted(ray, &mut counters);
+            let mut seen = Profile::default();
+            view.intersect_profiled(ray, &mut seen);
+            profile.add(&seen);
             let pixel = (y * frame.size + x) as usize;
-            tests[pixel] = counters.tests - before.tests;
-            voxels[pixel] = counters.voxels - before.voxels;
+            (tests[pixel], voxels[pixel]) = (seen.total().tests, seen.total().voxels);
         }
         for ray in &frame.shadow {
-            view.occluded_counted(ray, &mut counters);
+            view.occluded_profiled(ray, &mut profile);
         }
         if !maps {
             (tests, voxels) = (Vec::new(), Vec::new());
         }
-        Self { counters, seconds: time(frame, view, rounds), tests, voxels }
+        Self { profile, seconds: time(frame, view, rounds), tests, voxels }
     }
 }
 

@@ -143,14 +143,16 @@ pub fn both(view: &View<'_>, mesh: &Mesh) -> Vec<Slice> {
 
 /// The slices through all structures of a scene.
 pub fn all(subject: &Subject) -> Result<Markup, String> {
-    let mut images = Vec::new();
+    let mut pairs = Vec::new();
     for built in &subject.built {
+        let mut images = Vec::new();
         for slice in &built.slices {
             let axis = ["x", "y", "z"][slice.axis];
             let caption = format!("{}, {axis} = {:.2}", built.name, slice.at);
             let picture = image(slice.width, &slice.pixels, true, &format!("slice {caption}"))?;
             images.push((picture, caption));
         }
+        pairs.push(images);
     }
     let levels = subject.built.iter().map(|b| b.stats.levels().len()).max().unwrap_or(0);
     Ok(html! {
@@ -160,8 +162,8 @@ pub fn all(subject: &Subject) -> Result<Markup, String> {
             @let c = LEVELS[level.min(LEVELS.len() - 1)];
             span.key style={ "border-color:rgb(" (c.0) "," (c.1) "," (c.2) ")" } { "level " (level) }
         } }
-        div.pictures { @for (image, caption) in images {
+        div.pictures { @for images in pairs { div.pair { @for (image, caption) in images {
             figure { (image) figcaption { (caption) } }
-        } }
+        } } } }
     })
 }

@@ -40,7 +40,7 @@ fn draw(
         .margin(8)
         .x_label_area_size(40)
         .y_label_area_size(60)
-        .build_cartesian_2d(x.log_scale(), y.log_scale())
+        .build_cartesian_2d(x.log_scale(), 0.0..y.end)
         .map_err(failed)?;
     chart
         .configure_mesh()
@@ -49,20 +49,36 @@ fn draw(
         .axis_style(INK)
         .label_style(FONT)
         .x_desc("memory, MB (logarithmic)")
-        .y_desc("time of the picture, ms (logarithmic)")
+        .y_desc("time of the picture, ms")
         .x_label_formatter(&|x| super::super::sheet::number(*x))
         .y_label_formatter(&|y| super::super::sheet::number(*y))
         .draw()
         .map_err(failed)?;
     let joined = line.iter().map(|p| (p.0, p.1));
     chart.draw_series(LineSeries::new(joined, BARS.stroke_width(2))).map_err(failed)?;
+    let mut taken = Vec::new();
     for (points, colour) in [(line, BARS), (dots, SUM)] {
-        let marks = points.iter().map(|(x, y, name)| {
-            EmptyElement::at((*x, *y))
+        for (x, y, name) in points {
+            let offset = place(&mut taken, chart.backend_coord(&(*x, *y)), name);
+            let mark = EmptyElement::at((*x, *y))
                 + Circle::new((0, 0), 4, colour.filled())
-                + Text::new(name.clone(), (7, -6), FONT.into_font().color(&colour))
-        });
-        chart.draw_series(marks).map_err(failed)?;
+                + Text::new(name.clone(), offset, FONT.into_font().color(&colour));
+            chart.draw_series(std::iter::once(mark)).map_err(failed)?;
+        }
     }
     Ok(())
+}
+
+/// Where a name can be read beside its point: the first place where no other name is yet.
+fn place(taken: &mut Vec<[i32; 4]>, at: (i32, i32), name: &str) -> (i32, i32) {
+    let (wide, high) = (7 * name.chars().count() as i32, 13);
+    let right = [-6, -20, 8, -34, 22, -48, 36].map(|down| (7, down));
+    let left = right.map(|(_, down)| (-7 - wide, down));
+    let area = |(x, y): (i32, i32)| [at.0 + x, at.1 + y, at.0 + x + wide, at.1 + y + high];
+    let apart =
+        |a: &[i32; 4], b: &[i32; 4]| a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
+    let free = |offset: &(i32, i32)| taken.iter().all(|t| apart(t, &area(*offset)));
+    let found = right.into_iter().chain(left).find(free).unwrap_or(right[0]);
+    taken.push(area(found));
+    found
 }

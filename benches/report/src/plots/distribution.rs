@@ -59,7 +59,7 @@ impl Distribution<'_> {
             .bold_line_style(GRID)
             .axis_style(INK)
             .label_style(FONT)
-            .x_labels(8)
+            .x_labels(9)
             .y_labels(6)
             .x_desc(self.x)
             .y_desc("% in a class (bars)")

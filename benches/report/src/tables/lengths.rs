@@ -1,7 +1,7 @@
 //! Figure 4.
 
 use super::{OURS, PAPER};
-use crate::measure::Subject;
+use crate::measure::{CLASSES, SHARE, Subject};
 use crate::sheet::{Cell, Sheet};
 use hug_bench::paper::{FIGURE_4, Lengths};
 
@@ -20,6 +20,19 @@ pub fn sheet(subjects: &[Subject]) -> Sheet {
         if let Some(paper) = FIGURE_4.iter().find(|f| f.0 == subject.loaded.name) {
             line("", PAPER, &paper.1);
         }
+    }
+    sheet
+}
+
+/// What the chart of lengths is drawn from.
+pub fn histogram(subject: &Subject) -> Sheet {
+    let name = format!("{}.lengths", subject.short).replace([':', '/', '\\'], "_");
+    let title = format!("{}: triangles by length over the largest", subject.loaded.name);
+    let mut sheet = Sheet::new(name, title, &["from", "to", "triangles"]);
+    let width = SHARE / CLASSES as f64;
+    for (class, &count) in subject.length_counts.iter().enumerate() {
+        let from = width * class as f64;
+        sheet.row([from.into(), (from + width).into(), count.into()]);
     }
     sheet
 }

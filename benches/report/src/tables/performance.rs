@@ -23,7 +23,7 @@ fn sheet(subject: &Subject, frame: usize) -> Sheet {
     );
     for built in subject.built.iter().chain(&subject.recursive) {
         let rendered = &built.rendered[frame];
-        let c = &rendered.counters;
+        let c = rendered.profile.total();
         let cells = [Cell::from(built.name.clone()), OURS.into()];
         let calls = [c.tests, c.grids, c.voxels].map(Cell::Count);
         let whole = built.stats.bytes as f64 / f64::from(1 << 20);
