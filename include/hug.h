@@ -695,6 +695,54 @@ typedef struct {
 } hug_scene_lengths;
 
 /**
+ * Section 3's rendering statistics of one level of grids, or of all.
+ */
+typedef struct {
+  /**
+   * Grids whose box was tested (#bbi).
+   */
+  uint64_t grids;
+  /**
+   * Voxels traversed (#vt): the steps of the walk.
+   */
+  uint64_t voxels;
+  /**
+   * Ray-triangle tests (#pit), one per reference met.
+   */
+  uint64_t tests;
+  /**
+   * Tests that were hits within the ray's range (#pi).
+   */
+  uint64_t hits;
+  /**
+   * Tests that pass the paper's test_1: the ray is not parallel to the plane.
+   * %s1 is 100 passed_1 / tests.
+   */
+  uint64_t passed_1;
+  /**
+   * Of these, tests that pass test_2: the line meets the plane in the triangle's
+   * box, seen along the longest component of its normal. %s2 is
+   * 100 passed_2 / passed_1.
+   */
+  uint64_t passed_2;
+} hug_calls;
+
+/**
+ * What queries did, counted level by level; the profiled queries add to it. Zero
+ * it first.
+ */
+typedef struct {
+  /**
+   * All levels together.
+   */
+  hug_calls total;
+  /**
+   * Level by level; 0 is the deepest.
+   */
+  hug_calls level[HUG_MAX_LEVELS];
+} hug_profile;
+
+/**
  * Success.
  */
 #define HUG_OK 0
@@ -1119,6 +1167,27 @@ hug_status hug_histogram(const hug_scene *scene, hug_voxel_histogram *histogram)
  * or NULL.
  */
 hug_status hug_lengths(const hug_scene *scene, hug_scene_lengths *lengths);
+
+/**
+ * hug_intersect that also adds what it did on each level to *profile. The hit is
+ * the same. With a NULL pointer: as hug_intersect, and nothing is counted.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_intersect_profiled(const hug_scene *scene,
+                               const hug_ray *ray,
+                               hug_hit *hit,
+                               hug_profile *profile);
+
+/**
+ * hug_occluded that also adds what it did on each level to *profile.
+ * With a NULL pointer: as hug_occluded, and nothing is counted.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_occluded_profiled(const hug_scene *scene, const hug_ray *ray, hug_profile *profile);
 
 #ifdef __cplusplus
 }  // extern "C"

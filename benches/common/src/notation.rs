@@ -37,6 +37,9 @@ const SCENES: [(&str, &str, Option<&str>); 6] = [
     ("gar", "garden", None),
 ];
 
+/// References that the memory of a build is made for.
+const MOST_REFS: u64 = 1 << 28;
+
 /// A scene's name in the paper's notation.
 pub fn short(scene: &str) -> &str {
     SCENES.iter().find(|s| s.1 == scene).map_or(scene, |s| s.0)
@@ -48,6 +51,14 @@ pub fn scene(name: &str) -> (&str, Option<&'static str>) {
 }
 
 impl Notation {
+    /// [`Notation::options`] for this many triangles: where capacities would ask for more memory
+    /// than machines have they are lowered, never to less than the library's own.
+    pub fn options_for(self, triangles: u64) -> Options {
+        let options = self.options();
+        let fair = (MOST_REFS / triangles.max(1)).max(u64::from(Options::default().max_refs));
+        Options { max_refs: options.max_refs.min(fair as u32), ..options }
+    }
+
     /// The options that make it. Those of the paper have homogeneous counts, plain steps, the
     /// paper's hierarchy with clusters of any size, and capacities that few grids reach.
     pub fn options(self) -> Options {

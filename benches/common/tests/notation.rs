@@ -92,6 +92,8 @@ fn options_are_the_papers() {
     assert_eq!(options("u.f3.1").filter, Filter::ThreeLevels);
     assert_eq!(options("u.f2.sqrt2").world_alpha, Some(SQRT_2));
     assert_eq!(options("auto"), Options::default());
+    let refs = |triangles| Notation::Recursive(50).options_for(triangles).max_refs;
+    assert_eq!((refs(0), refs(20_000), refs(1 << 20), refs(1 << 30)), (4096, 4096, 256, 32));
 }
 
 #[test]

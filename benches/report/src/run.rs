@@ -7,6 +7,9 @@ use crate::progress::Progress;
 use std::fs;
 use std::path::PathBuf;
 
+/// The folder of the CSV files, beside the page.
+pub const TABLES: &str = "tables";
+
 /// Measures and writes; the path of the page.
 pub fn run(args: &Args, command: &str) -> Result<PathBuf, String> {
     let failed = |error: std::io::Error| format!("{}: {error}", args.out.display());
@@ -20,8 +23,10 @@ pub fn run(args: &Args, command: &str) -> Result<PathBuf, String> {
     }
     bar.finish();
     let report = Report::new(&subjects, command)?;
+    let tables = args.out.join(TABLES);
+    fs::create_dir_all(&tables).map_err(failed)?;
     for sheet in &report.sheets {
-        sheet.write(&args.out)?;
+        sheet.write(&tables)?;
     }
     let page = args.out.join("report.html");
     fs::write(&page, report.page).map_err(failed)?;

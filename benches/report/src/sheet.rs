@@ -1,5 +1,6 @@
 //! Tables: rounded on the page, whole in the CSV file.
 
+use crate::run::TABLES;
 use maud::{Markup, html};
 use std::path::Path;
 
@@ -122,8 +123,9 @@ impl Sheet {
         self.rows.push(row);
     }
 
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
+    /// Whether a column is of words.
+    fn texts(&self, column: usize) -> bool {
+        self.rows.iter().any(|row| matches!(row[column], Cell::Text(_)))
     }
 
     pub fn write(&self, folder: &Path) -> Result<(), String> {
@@ -142,11 +144,13 @@ impl Sheet {
             figure.table {
                 figcaption {
                     (self.title) " "
-                    a href={ (self.file) ".csv" } { "CSV" }
+                    a href={ (TABLES) "/" (self.file) ".csv" } { "CSV" }
                 }
                 @if !self.note.is_empty() { p.note { (self.note) } }
                 div.scroll { table {
-                    thead { tr { @for name in &self.head { th { (name) } } } }
+                    thead { tr { @for (column, name) in self.head.iter().enumerate() {
+                        th.text[self.texts(column)] { (name) }
+                    } } }
                     tbody {
                         @for row in &self.rows {
                             tr { @for cell in row {

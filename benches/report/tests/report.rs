@@ -41,10 +41,10 @@ fn the_papers_configurations_of_a_small_scene() {
     for link in links.filter(|link| !link.starts_with('#')) {
         assert!(args.out.join(link).is_file(), "{link} is not there");
     }
-    let figure_4 = fs::read_to_string(args.out.join("figure_4.csv")).expect("figure 4");
+    let figure_4 = fs::read_to_string(args.out.join("tables/figure_4.csv")).expect("figure 4");
     assert_eq!(line(&figure_4, "clustered:400,ours")[2], "400");
-    let histogram = fs::read_to_string(args.out.join("clustered_400.r50.histogram.csv"));
-    let resources = fs::read_to_string(args.out.join("clustered_400.r50.resources.csv"));
+    let histogram = fs::read_to_string(args.out.join("tables/clustered_400.r50.histogram.csv"));
+    let resources = fs::read_to_string(args.out.join("tables/clustered_400.r50.resources.csv"));
     let voxels: u64 = histogram
         .expect("a histogram")
         .lines()
@@ -60,13 +60,14 @@ fn claims_are_judged_on_the_kitchen() {
     let given = ["--config", "kit.g28,kit.r50,kit.u.f3.sqrt2,kit.u.f3.1", "--size", "16"];
     let args = args(&given, "claims");
     run(&args, "as in a test").expect("the report is written");
-    let claims = fs::read_to_string(args.out.join("claims.csv")).expect("the claims");
+    let claims = fs::read_to_string(args.out.join("tables/claims.csv")).expect("the claims");
     for start in ["About 98 %", "r50: two levels"] {
         let cells = line(&claims, start);
         assert!(cells.iter().any(|cell| cell == "holds"), "{cells:?}");
     }
     // The paper's line stands beside ours.
-    let table = fs::read_to_string(args.out.join("kit.r50.resources.csv")).expect("figure 17");
+    let table =
+        fs::read_to_string(args.out.join("tables/kit.r50.resources.csv")).expect("figure 17");
     assert_eq!(line(&table, "2,paper")[2], "70.4");
     assert_eq!(line(&table, "sum,paper")[5], "196232");
 }

@@ -31,17 +31,18 @@ impl Built {
         rounds: u32,
         whole: bool,
     ) -> Result<Self, String> {
+        let name = format!("{short}.{notation}");
         let mut scene = None;
-        let options = notation.options();
+        let options = notation.options_for(loaded.mesh.indices.len() as u64);
         let seconds = clock::seconds(clock::process, || scene = Some(loaded.build(&options)));
-        let scene = scene.ok_or("the clock did not run the build")??;
+        let scene = scene.ok_or("the clock did not run the build")?;
+        let scene = scene.map_err(|error| format!("{name}: {error}"))?;
         let view = scene.view();
         let stats = Stats::of(&view);
         let levels = 0..stats.levels().len();
         let histograms = levels.map(|level| Occupancy::histogram(&view, Some(level))).collect();
         let rendered = frames.iter().map(|f| Rendered::new(f, &view, rounds, whole)).collect();
         let slices = if whole { slice::both(&view, &loaded.mesh) } else { Vec::new() };
-        let name = format!("{short}.{notation}");
         Ok(Self { name, notation, stats, histograms, seconds, rendered, slices })
     }
 

@@ -48,6 +48,7 @@ fn draw(
         .bold_line_style(GRID)
         .axis_style(INK)
         .label_style(FONT)
+        .x_labels(12)
         .x_desc("memory, MB (logarithmic)")
         .y_desc("time of the picture, ms")
         .x_label_formatter(&|x| super::super::sheet::number(*x))
