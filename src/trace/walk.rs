@@ -122,10 +122,10 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     /// query wants no more.
     #[inline(always)]
     fn grid(&mut self, number: u32, t0: f64, t1: f64) -> bool {
+        self.counters.level(self.sections.grid(number).level);
+        self.counters.grid();
         let l = self.lanes;
         let grid = self.sections.grid(number);
-        self.counters.level(grid.level);
-        self.counters.grid();
         let Some(local) = Local::enter(l, grid, &self.course, t0, t1) else {
             return false;
         };
@@ -227,10 +227,10 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     fn triangles(&mut self, refs: &[u32]) -> Met {
         let mut met = Met::Nothing;
         for few in refs.chunks(L::WIDE) {
-            self.counters.tests(few.len());
             if C::LOOKS {
                 few.iter().for_each(|&r| self.counters.look(self.ray, self.sections.triangle(r)));
             }
+            self.counters.tests(few.len());
             let mut left = self.sieve.pass(few);
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];
