@@ -62,8 +62,8 @@ fn uniform_slower(e: &Evidence<'_>) -> Claim {
         verdict: Verdict::of(wide.iter().all(|&r| r >= 3.0), most >= 3.0),
         reason: format!(
             "view by view it makes {} times the tests of the HUG and {} times those of r50, but \
-             traverses {} and {} times their voxels: here a step costs more than a test, of which \
-             eight are rejected at once",
+             traverses {} and {} times their voxels; a test costs little here, eight triangles \
+             being rejected at once",
             per(hug, |c| c.tests),
             per(r50, |c| c.tests),
             per(hug, |c| c.voxels),
