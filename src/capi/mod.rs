@@ -20,6 +20,7 @@ mod options;
 mod profile;
 mod query;
 mod rebuild;
+mod stat_types;
 mod stats;
 pub mod types;
 
