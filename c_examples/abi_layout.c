@@ -19,6 +19,8 @@ ALIGNMENT_PROBE(hug_build_desc);
 ALIGNMENT_PROBE(hug_ray);
 ALIGNMENT_PROBE(hug_hit);
 ALIGNMENT_PROBE(hug_counters);
+ALIGNMENT_PROBE(hug_ray_soa);
+ALIGNMENT_PROBE(hug_hit_soa);
 ALIGNMENT_PROBE(hug_level_stats);
 ALIGNMENT_PROBE(hug_scene_stats);
 ALIGNMENT_PROBE(hug_level_shares);
@@ -101,6 +103,32 @@ static void print_hit(void)
     FIELD(hug_hit, prim);
     FIELD(hug_hit, inst);
     FIELD(hug_hit, reserved);
+}
+
+static void print_ray_soa(void)
+{
+    STRUCT(hug_ray_soa);
+    FIELD(hug_ray_soa, struct_size);
+    FIELD(hug_ray_soa, org);
+    FIELD(hug_ray_soa, dir);
+    FIELD(hug_ray_soa, tmin);
+    FIELD(hug_ray_soa, tmax);
+    FIELD(hug_ray_soa, mask);
+    FIELD(hug_ray_soa, skip_geom);
+    FIELD(hug_ray_soa, skip_prim);
+}
+
+static void print_hit_soa(void)
+{
+    STRUCT(hug_hit_soa);
+    FIELD(hug_hit_soa, struct_size);
+    FIELD(hug_hit_soa, t);
+    FIELD(hug_hit_soa, u);
+    FIELD(hug_hit_soa, v);
+    FIELD(hug_hit_soa, ng);
+    FIELD(hug_hit_soa, geom);
+    FIELD(hug_hit_soa, prim);
+    FIELD(hug_hit_soa, inst);
 }
 
 static void print_counters(void)
@@ -227,6 +255,8 @@ int main(void)
     print_ray();
     print_hit();
     print_counters();
+    print_ray_soa();
+    print_hit_soa();
     print_level_stats();
     print_scene_stats();
     print_level_shares();

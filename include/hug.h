@@ -394,6 +394,84 @@ typedef struct {
 } hug_counters;
 
 /**
+ * Rays with an array for each component. Set struct_size; arrays of org and dir are
+ * required, others may be NULL, which stands for the value named.
+ */
+typedef struct {
+  /**
+   * sizeof(hug_ray_soa).
+   */
+  size_t struct_size;
+  /**
+   * Origins: x, y, z.
+   */
+  const float *org[3];
+  /**
+   * Directions: x, y, z.
+   */
+  const float *dir[3];
+  /**
+   * Smallest t of a hit, inclusive; 0.
+   */
+  const float *tmin;
+  /**
+   * Largest t of a hit, inclusive; infinity.
+   */
+  const float *tmax;
+  /**
+   * Masks; all ones.
+   */
+  const uint32_t *mask;
+  /**
+   * The triangle to pass through; HUG_NONE.
+   */
+  const uint32_t *skip_geom;
+  /**
+   * The triangle to pass through; HUG_NONE.
+   */
+  const uint32_t *skip_prim;
+} hug_ray_soa;
+
+/**
+ * Hits with an array for each component, as in hug_hit. Set struct_size; what has
+ * NULL for an array is not written.
+ */
+typedef struct {
+  /**
+   * sizeof(hug_hit_soa).
+   */
+  size_t struct_size;
+  /**
+   * Ray parameters; the ray's tmax for a miss.
+   */
+  float *t;
+  /**
+   * Barycentric weights of the second corner.
+   */
+  float *u;
+  /**
+   * Barycentric weights of the third corner.
+   */
+  float *v;
+  /**
+   * Normals, not normalised: x, y, z.
+   */
+  float *ng[3];
+  /**
+   * Geometries; HUG_NONE for a miss.
+   */
+  uint32_t *geom;
+  /**
+   * Triangles of the geometries.
+   */
+  uint32_t *prim;
+  /**
+   * Always HUG_NONE.
+   */
+  uint32_t *inst;
+} hug_hit_soa;
+
+/**
  * Section 3's statistics of one level of grids, or of all. "Objects" are
  * distinct triangles; "references" repeat a triangle for each voxel.
  */
@@ -1046,37 +1124,6 @@ int32_t hug_intersect(const hug_scene *scene, const hug_ray *ray, hug_hit *hit);
 int32_t hug_occluded(const hug_scene *scene, const hug_ray *ray);
 
 /**
- * Finds the closest hits of n rays. Ray i is at rays + i * ray_stride bytes,
- * hit i at hits + i * hit_stride; a stride of 0 means packed. Rays and hits
- * may be fields of one array's elements, but must not overlap otherwise.
- * Results are those of hug_intersect, bit for bit, in the order of the rays.
- * With a NULL pointer nothing is done.
- *
- * # Safety
- * The rays must be readable and the hits writable, at their strides.
- */
-void hug_intersect_n(const hug_scene *scene,
-                     const hug_ray *rays,
-                     size_t ray_stride,
-                     hug_hit *hits,
-                     size_t hit_stride,
-                     size_t n);
-
-/**
- * Whether anything is hit, for n rays: occluded[i] becomes 1 or 0. Ray i is
- * at rays + i * ray_stride bytes; a stride of 0 means packed. With a NULL
- * pointer nothing is done.
- *
- * # Safety
- * The rays must be readable at their stride, n bytes at occluded writable.
- */
-void hug_occluded_n(const hug_scene *scene,
-                    const hug_ray *rays,
-                    size_t ray_stride,
-                    uint8_t *occluded,
-                    size_t n);
-
-/**
  * hug_intersect that also adds what it did to *counters. The hit is the same.
  * With a NULL pointer: as hug_intersect, and nothing is counted.
  *
@@ -1096,6 +1143,100 @@ int32_t hug_intersect_counted(const hug_scene *scene,
  * Each pointer is valid or NULL.
  */
 int32_t hug_occluded_counted(const hug_scene *scene, const hug_ray *ray, hug_counters *counters);
+
+/**
+ * Finds the closest hits of n rays. Ray i is at rays + i * ray_stride bytes,
+ * hit i at hits + i * hit_stride; a stride of 0 means packed. Rays and hits
+ * may be fields of one array's elements, but must not overlap otherwise.
+ * Results are those of hug_intersect, bit for bit, in the order of the rays.
+ * With a NULL pointer nothing is done.
+ *
+ * For many rays this takes less time than as many calls of hug_intersect, alike
+ * or not: some 32 are under way at a time. It takes about 40 kB of stack.
+ *
+ * # Safety
+ * The rays must be readable and the hits writable, at their strides.
+ */
+void hug_intersect_n(const hug_scene *scene,
+                     const hug_ray *rays,
+                     size_t ray_stride,
+                     hug_hit *hits,
+                     size_t hit_stride,
+                     size_t n);
+
+/**
+ * Whether anything is hit, for n rays: occluded[i] becomes 1 or 0. Ray i is
+ * at rays + i * ray_stride bytes; a stride of 0 means packed. With a NULL
+ * pointer nothing is done. Otherwise as hug_intersect_n.
+ *
+ * # Safety
+ * The rays must be readable at their stride, n bytes at occluded writable.
+ */
+void hug_occluded_n(const hug_scene *scene,
+                    const hug_ray *rays,
+                    size_t ray_stride,
+                    uint8_t *occluded,
+                    size_t n);
+
+/**
+ * hug_intersect_n that also adds what it did to *counters: the sum of what
+ * hug_intersect_counted counts for each ray. With counters NULL: as
+ * hug_intersect_n, and nothing is counted.
+ *
+ * # Safety
+ * As hug_intersect_n; counters is valid or NULL.
+ */
+void hug_intersect_n_counted(const hug_scene *scene,
+                             const hug_ray *rays,
+                             size_t ray_stride,
+                             hug_hit *hits,
+                             size_t hit_stride,
+                             size_t n,
+                             hug_counters *counters);
+
+/**
+ * hug_occluded_n that also adds what it did to *counters: the sum of what
+ * hug_occluded_counted counts for each ray. With counters NULL: as hug_occluded_n,
+ * and nothing is counted.
+ *
+ * # Safety
+ * As hug_occluded_n; counters is valid or NULL.
+ */
+void hug_occluded_n_counted(const hug_scene *scene,
+                            const hug_ray *rays,
+                            size_t ray_stride,
+                            uint8_t *occluded,
+                            size_t n,
+                            hug_counters *counters);
+
+/**
+ * hug_intersect_n with an array for each component of rays and hits. Arrays need
+ * no alignment beyond that of floats and integers of any address; an array of hits
+ * may be one of rays, element for element, but must not overlap otherwise.
+ *
+ * HUG_ERROR_NULL: scene, rays, hits, or an array of org or dir is NULL;
+ * HUG_ERROR_ALIGNMENT, HUG_ERROR_STRUCT_SIZE: a descriptor is not one. Nothing is
+ * done then.
+ *
+ * # Safety
+ * Each pointer is valid or NULL, arrays for n elements.
+ */
+hug_status hug_intersect_soa(const hug_scene *scene,
+                             const hug_ray_soa *rays,
+                             const hug_hit_soa *hits,
+                             size_t n);
+
+/**
+ * hug_occluded_n with an array for each component of rays. Errors as
+ * hug_intersect_soa.
+ *
+ * # Safety
+ * Each pointer is valid or NULL, arrays for n elements.
+ */
+hug_status hug_occluded_soa(const hug_scene *scene,
+                            const hug_ray_soa *rays,
+                            uint8_t *occluded,
+                            size_t n);
 
 /**
  * Fills *stats (struct_size set by the caller) with the statistics of
@@ -1127,8 +1268,8 @@ const char *hug_version(void);
 uint32_t hug_abi_version(void);
 
 /**
- * The instruction set that queries run on: "avx512",
- * "avx2" or "portable", never NULL. Results do not depend on it.
+ * The instruction set that queries run on: "avx512", "avx2", "neon" or
+ * "portable", never NULL. Results do not depend on it.
  */
 const char *hug_isa(void);
 

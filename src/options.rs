@@ -207,10 +207,10 @@ impl Options {
             return *self;
         }
         let (world_alpha, alpha, maxp) = match self.quality {
-            _ if self.compact => (0.5, 0.5, 128),
-            Quality::Fast => (0.8, self.alpha, 96),
-            Quality::Default => (1.26, self.alpha, 64),
-            Quality::High => (1.6, self.alpha, 32),
+            _ if self.compact => (0.4, 0.5, 512),
+            Quality::Fast => (0.5, self.alpha, 256),
+            Quality::Default => (0.8, self.alpha, 128),
+            Quality::High => (1.26, self.alpha, 64),
         };
         let world_alpha = Some(world_alpha);
         Self { structure: Structure::Recursive, maxp, alpha, world_alpha, ..*self }

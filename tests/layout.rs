@@ -7,8 +7,8 @@ mod common;
 
 use common::native::{library, make, run};
 use hug::capi::types::{
-    hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_level_shares, hug_level_stats,
-    hug_ray, hug_scene_stats,
+    hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_hit_soa, hug_level_shares,
+    hug_level_stats, hug_ray, hug_ray_soa, hug_scene_stats,
 };
 use hug::capi::{hug_calls, hug_profile, hug_scene_lengths, hug_voxel_histogram};
 use std::mem::{align_of, offset_of, size_of};
@@ -44,6 +44,8 @@ fn expected() -> Vec<String> {
         hug_ray { org, tmin, dir, tmax, mask, flags, skip_geom, skip_prim }
         hug_hit { t, u, v, ng, geom, prim, inst, reserved }
         hug_counters { grids, voxels, tests, hits }
+        hug_ray_soa { struct_size, org, dir, tmin, tmax, mask, skip_geom, skip_prim }
+        hug_hit_soa { struct_size, t, u, v, ng, geom, prim, inst }
         hug_level_stats {
             objects, grids, voxels, object_voxels, grid_voxels, object_refs, grid_refs, volume,
             object_mean, object_deviation, object_mean_filled, object_deviation_filled,

@@ -6,7 +6,7 @@
 
 use super::layout::{
     ALIGN, BYTE_ORDER, EMPTY, EXIT_BITS, EXIT_MAX, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD,
-    MAGIC, MAX_WALKS, PAYLOAD, TAG_SHIFT, Triangle, VERSION, sections,
+    MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::Error;
 use crate::geometry::MAX_TRIANGLES;
@@ -148,7 +148,9 @@ fn lists(
                         walks += below(r & !GRID_BIT)?;
                     }
                 }
-                end += LIST_HEAD + list.len();
+                let boxes = rest[list.len()..].get(..list.len()).ok_or(Error::Corrupt)?;
+                require(boxes.iter().all(|b| b >> TAG_SHIFT == 0))?;
+                end += LIST_HEAD + REF_WORDS * list.len();
             }
             _ => require(false)?,
         }

@@ -1,4 +1,4 @@
-//! The bytes of an arena, format version 2.
+//! The bytes of an arena, format version 3.
 //!
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
 //! then the grids, the voxels, the references and the triangles, each section
@@ -15,7 +15,7 @@ pub const ALIGN: usize = 64;
 /// The first eight bytes of an arena.
 pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
 /// The format's version; any other is refused.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 /// Reads differently where the byte order is not the writer's.
 pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
@@ -29,7 +29,7 @@ pub const PAYLOAD: u32 = (1 << TAG_SHIFT) - 1;
 pub const EMPTY: u32 = 0;
 /// The payload is where the voxel's list starts in the references' section: a
 /// word with the exit box, one with the number of references, then these,
-/// ascending: triangles first, then grids.
+/// ascending: triangles first, then grids, then a [box](BOX_CELLS) for each.
 pub const LIST: u32 = 1;
 /// One grid and nothing else: the payload is its number.
 pub const GRID: u32 = 2;
@@ -40,6 +40,8 @@ pub const MAX_WALKS: u64 = 16;
 
 /// Words of a list before its references.
 pub const LIST_HEAD: usize = 2;
+/// Words of a reference: itself and its box.
+pub const REF_WORDS: usize = 2;
 
 /// An exit box: how many voxels it reaches beyond its own in -x, +x, -y, +y,
 /// -z, +z, five bits each. No voxel in it refers to anything that its own
@@ -47,6 +49,14 @@ pub const LIST_HEAD: usize = 2;
 pub const EXIT_BITS: u32 = 5;
 /// Largest reach of an exit box.
 pub const EXIT_MAX: u32 = (1 << EXIT_BITS) - 1;
+
+/// A reference's box bounds what it refers to, inside the exit box: the lower and the
+/// upper bound along x, then y, then z, in the bits of an exit box's word. The exit
+/// box, larger by [`BOX_MARGIN`] on each side, is cut into 32 cells along each axis;
+/// bounds are the first and the last cell.
+pub const BOX_CELLS: u32 = 1 << EXIT_BITS;
+/// In voxels.
+pub const BOX_MARGIN: f32 = 1.0 / 16.0;
 
 /// Where a section lies and how many records it has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]

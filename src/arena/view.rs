@@ -15,7 +15,7 @@ use super::layout::{
     GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
 use crate::Error;
-use crate::simd::fpenv;
+use crate::simd::{Lanes, fpenv};
 
 /// A scene in borrowed memory: an arena ready for queries. Copying it is free.
 #[derive(Clone, Copy)]
@@ -144,6 +144,52 @@ impl<'a> Sections<'a> {
             let head = self.refs.add(offset as usize);
             (*head, core::slice::from_raw_parts(head.add(LIST_HEAD), *head.add(1) as usize))
         }
+    }
+
+    /// The exit box and the number of references of the list at `offset`.
+    #[inline(always)]
+    pub fn head(&self, offset: u32) -> (u32, u32) {
+        // SAFETY: see the module.
+        unsafe {
+            let head = self.refs.add(offset as usize);
+            (*head, *head.add(1))
+        }
+    }
+
+    /// Eight words from number `at` of the references' section on, which must be one of
+    /// a list: references or boxes, then whatever follows them.
+    #[inline(always)]
+    pub fn eight(&self, at: u32) -> &'a [u32; 8] {
+        // SAFETY: see the module; behind the section is a triangle at least.
+        unsafe { &*self.refs.add(at as usize).cast() }
+    }
+
+    /// Fetches grid number `i`.
+    #[inline(always)]
+    pub fn fetch_grid<L: Lanes>(&self, l: L, i: u32) {
+        l.prefetch(self.grids.wrapping_add(i as usize));
+    }
+
+    /// Fetches a voxel; any number will do.
+    #[inline(always)]
+    pub fn fetch_voxel<L: Lanes>(&self, l: L, i: u32) {
+        l.prefetch(self.voxels.wrapping_add(i as usize));
+    }
+
+    /// Fetches a line of the references' section and the next.
+    #[inline(always)]
+    pub fn fetch_list<L: Lanes>(&self, l: L, offset: u32) {
+        let at = self.refs.wrapping_add(offset as usize);
+        l.prefetch(at);
+        l.prefetch(at.wrapping_add(16));
+    }
+
+    /// Fetches triangle number `i`.
+    #[inline(always)]
+    pub fn fetch_triangle<L: Lanes>(&self, l: L, i: u32) {
+        let at = self.triangles.wrapping_add(i as usize).cast::<u8>();
+        l.prefetch(at);
+        l.prefetch(at.wrapping_add(size_of::<Triangle>() - 1));
     }
 
     /// How many triangles and how many grids voxel number `i` refers to.

@@ -1,7 +1,8 @@
 //! How much memory a build can need: a function of counts alone.
 //!
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
-//! about `97 n + 136 G + 12 L + 20 V + 8 R` bytes and the arena `48 n + 128 G + 4 V + 12 R`.
+//! about `64 n + 136 G + 12 L + 20 V + 8 R` bytes, for a hierarchy `41 n` more, and the arena
+//! `48 n + 64 G + 12 V + 8 R`.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
@@ -10,7 +11,7 @@ use super::draft::Span;
 use super::frame::Grid;
 use crate::Error;
 use crate::aabb::Aabb;
-use crate::arena::layout::{Triangle, sections};
+use crate::arena::layout::{REF_WORDS, Triangle, sections};
 use crate::options::{Options, Structure};
 
 /// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.
@@ -26,6 +27,8 @@ pub struct Sizes {
 #[derive(Clone, Copy, Debug)]
 pub struct Capacity {
     pub triangles: usize,
+    /// Triangles of which a hierarchy's passes remember things: all or none.
+    pub filtered: usize,
     pub grids: usize,
     pub voxels: usize,
     pub refs: usize,
@@ -67,6 +70,7 @@ impl Capacity {
         let none = triangles == 0;
         Self {
             triangles,
+            filtered: if hug { triangles } else { 0 },
             grids: if none { 0 } else { whole(grids) },
             voxels: if none { 0 } else { whole(outer + inner) },
             refs: if none { 0 } else { whole(refs) },
@@ -83,14 +87,17 @@ impl Capacity {
     }
 
     pub fn sizes(&self) -> Result<Sizes, Error> {
-        // A list has two words besides its references, and at least one of these.
-        let counts = [self.grids, self.voxels, 3 * self.refs, self.triangles].map(|c| c as u64);
+        // A list has two words besides its references, at least one of these, of two
+        // words each, and a voxel of its own.
+        let heads = self.refs.min(self.voxels).saturating_mul(2);
+        let words = self.refs.saturating_mul(REF_WORDS).saturating_add(heads);
+        let counts = [self.grids, self.voxels, words, self.triangles].map(|c| c as u64);
         let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3])?;
         let records = [
-            (self.triangles, size_of::<Triangle>() + size_of::<Aabb>()),
-            // Numbers in the arena, the clustering's order, levels.
-            (self.triangles, 4 + 4 + 1),
-            (self.triangles, size_of::<Part>()),
+            // And their order, and notes of the bucket sort.
+            (self.triangles, size_of::<Triangle>() + 4 + 8),
+            // Boxes, the clustering's order and parts, levels.
+            (self.filtered, size_of::<Aabb>() + 4 + size_of::<Part>() + 1),
             // The objects of the grid at hand.
             (self.triangles + self.links, 4),
             (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
@@ -101,7 +108,7 @@ impl Capacity {
             (self.stream, 4),
         ];
         // Room to align each slice.
-        let mut scratch = 64 * 16;
+        let mut scratch = 64 * 20;
         for (count, size) in records {
             scratch = count
                 .checked_mul(size)

@@ -1,17 +1,17 @@
 //! The structure as it grows: grids, the lists of their voxels, references.
 //!
-//! `fill` is the pass that every structure shares, a bucket sort: note which voxels each
-//! object meets and count the objects of each voxel, turn counts into positions, put the
-//! objects there.
+//! Where a triangle is put into its first grid, it gets its number in the arena, by the
+//! lowest voxel that it meets: what a ray meets together lies together, and lists, also
+//! those of the grids below, are in order without being sorted.
 
+use super::bucket::Buckets;
 use super::capacity::Capacity;
 use super::control::Control;
 use super::frame::Grid;
 use super::gather::Soup;
-use super::overlap::{Range, voxels};
 use super::scratch::Scratch;
 use crate::Error;
-use crate::arena::layout::GRID_BIT;
+use crate::arena::layout::{GRID_BIT, Triangle};
 use bytemuck::{Pod, Zeroable};
 
 /// A voxel's list: `count` references from number `start` on.
@@ -34,10 +34,15 @@ pub enum Crowded {
 /// Grids, voxels and references in scratch memory.
 pub struct Draft<'s> {
     pub soup: Soup<'s>,
+    /// The places in the soup of the triangles that have numbers, by number.
+    order: &'s mut [u32],
+    numbered: usize,
+    /// Room for what the bucket sort notes of each triangle.
+    notes: [&'s mut [u32]; 2],
     grid_memory: &'s mut [Grid],
     span_memory: &'s mut [Span],
     ref_memory: &'s mut [u32],
-    /// Room for what the bucket sort finds, see [`sort`].
+    /// Room for what the bucket sort finds.
     stream: &'s mut [u32],
     grids: usize,
     spans: usize,
@@ -60,8 +65,12 @@ impl<'s> Draft<'s> {
         max_refs: u32,
         scratch: &mut Scratch<'s>,
     ) -> Result<Self, Error> {
+        let mut note = || scratch.take(capacity.triangles);
         Ok(Self {
             soup,
+            order: note()?,
+            numbered: 0,
+            notes: [note()?, note()?],
             grid_memory: scratch.take(capacity.grids)?,
             span_memory: scratch.take(capacity.voxels)?,
             ref_memory: scratch.take(capacity.refs)?,
@@ -71,6 +80,16 @@ impl<'s> Draft<'s> {
             refs: 0,
             max_refs,
         })
+    }
+
+    /// The triangles in the order of their numbers.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = &Triangle> {
+        self.order[..self.numbered].iter().map(|&place| &self.soup.triangles[place as usize])
+    }
+
+    /// A word for each triangle that nothing else uses between two fillings.
+    pub fn spare(&mut self) -> &mut [u32] {
+        &mut self.notes[0][..self.numbered]
     }
 
     pub fn grids(&self) -> &[Grid] {
@@ -114,8 +133,9 @@ impl<'s> Draft<'s> {
         Ok(self.grids - 1)
     }
 
-    /// Sorts `objects` (ascending: triangles, then grids) into the voxels of a
-    /// grid. Cost: one overlap test for each reference, plus the voxels.
+    /// Sorts `objects` (triangles without numbers, by their places in the soup, then
+    /// grids, both ascending) into the voxels of a grid, and numbers the triangles.
+    /// Cost: one overlap test for each reference, plus the voxels.
     ///
     /// # Errors
     /// [`Error::Limit`] if the capacity does not suffice.
@@ -126,29 +146,42 @@ impl<'s> Draft<'s> {
         crowded: Crowded,
         control: &mut Control<'_>,
     ) -> Result<(), Error> {
-        let (soup, grids) = (&self.soup, &mut self.grid_memory[..self.grids]);
-        let spans = &mut self.span_memory[self.spans..];
-        let refs = &mut self.ref_memory[self.refs..];
-        sort(
-            soup,
-            grids,
+        let triangles = objects.partition_point(|object| object & GRID_BIT == 0);
+        let (soup, first) = (&self.soup, self.numbered as u32);
+        let [starts, next] = &mut self.notes;
+        let (starts, next) = (&mut starts[..triangles], &mut next[..triangles]);
+        let order = &mut self.order[self.numbered..][..triangles];
+        let mut buckets = Buckets {
+            grids: &mut self.grid_memory[..self.grids],
             number,
-            objects,
-            (spans, self.spans),
-            (refs, self.refs),
-            self.stream,
-            self.max_refs,
-            crowded,
-            control,
-        )
-        .map(|(voxels, used)| {
-            self.spans += voxels;
-            self.refs += used;
-        })
+            spans: &mut self.span_memory[self.spans..],
+            first_span: self.spans,
+            refs: &mut self.ref_memory[self.refs..],
+            first_ref: self.refs,
+            stream: self.stream,
+        };
+        let limits = (self.max_refs, crowded);
+        let triangle = |object: u32| &soup.triangles[object as usize];
+        buckets.find(objects, triangle, starts, limits, control)?;
+        buckets.order(starts, next, order);
+        let refs = buckets.open()?;
+        // The stream has the grids behind the triangle that was last before.
+        let mut grids = 0;
+        for (number, i) in (first..).zip(order.iter_mut()) {
+            grids = grids.max(buckets.put(number, starts[*i as usize]));
+            *i = objects[*i as usize];
+        }
+        for &grid in &objects[triangles..] {
+            grids = buckets.put(grid, grids);
+        }
+        self.spans += buckets.close();
+        self.refs += refs;
+        self.numbered += triangles;
+        Ok(())
     }
 
-    /// [`Draft::fill`] with the list of a voxel, which is then replaced by a
-    /// reference to the grid.
+    /// [`Draft::fill`] with the list of a voxel, of triangles that have numbers, which is
+    /// then replaced by a reference to the grid.
     pub fn fill_from(
         &mut self,
         number: usize,
@@ -156,24 +189,28 @@ impl<'s> Draft<'s> {
         control: &mut Control<'_>,
     ) -> Result<(), Error> {
         let span = self.span_memory[voxel];
-        let (soup, grids) = (&self.soup, &mut self.grid_memory[..self.grids]);
-        let spans = &mut self.span_memory[self.spans..];
+        let (soup, order) = (&self.soup, &self.order[..self.numbered]);
         let (done, refs) = self.ref_memory.split_at_mut(self.refs);
         let objects = &done[span.start as usize..][..span.count as usize];
-        let (voxels, used) = sort(
-            soup,
-            grids,
+        let mut buckets = Buckets {
+            grids: &mut self.grid_memory[..self.grids],
             number,
-            objects,
-            (spans, self.spans),
-            (refs, self.refs),
-            self.stream,
-            self.max_refs,
-            Crowded::Coarsen,
-            control,
-        )?;
-        self.spans += voxels;
-        self.refs += used;
+            spans: &mut self.span_memory[self.spans..],
+            first_span: self.spans,
+            refs,
+            first_ref: self.refs,
+            stream: self.stream,
+        };
+        let limits = (self.max_refs, Crowded::Coarsen);
+        let triangle = |object: u32| &soup.triangles[order[object as usize] as usize];
+        buckets.find(objects, triangle, &mut [], limits, control)?;
+        let refs = buckets.open()?;
+        let mut start = 0;
+        for &object in objects {
+            start = buckets.put(object, start);
+        }
+        self.spans += buckets.close();
+        self.refs += refs;
         Ok(())
     }
 
@@ -182,111 +219,5 @@ impl<'s> Draft<'s> {
         let span = &mut self.span_memory[voxel];
         span.count = 1;
         self.ref_memory[span.start as usize] = GRID_BIT | number as u32;
-    }
-}
-
-/// The bucket sort. `spans` and `refs` are free memory with the number of its
-/// first record; returns how much of each was used.
-#[allow(clippy::too_many_arguments)]
-fn sort(
-    soup: &Soup<'_>,
-    grids: &mut [Grid],
-    number: usize,
-    objects: &[u32],
-    (spans, first_span): (&mut [Span], usize),
-    (refs, first_ref): (&mut [u32], usize),
-    stream: &mut [u32],
-    max_refs: u32,
-    crowded: Crowded,
-    control: &mut Control<'_>,
-) -> Result<(usize, usize), Error> {
-    let budget = objects.len().saturating_mul(max_refs as usize);
-    // Objects whose boxes fill the grid cost time even where they leave no
-    // references.
-    let work = if crowded == Crowded::Fail { usize::MAX } else { budget.saturating_mul(4) };
-    loop {
-        grids[number].first = first_span as u32;
-        let grid = grids[number];
-        let spans = spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
-        spans.fill(Span::default());
-        let (mut end, mut rows, mut seen) = (0, 0, 0);
-        for &object in objects {
-            let head = end;
-            rows += each(soup, grids, &grid, object, |voxel| {
-                spans[voxel].count += 1;
-                end += 1;
-                // Beyond the end the grid is over its budget.
-                if let Some(entry) = stream.get_mut(end) {
-                    *entry = voxel as u32;
-                }
-            });
-            if let Some(entry) = stream.get_mut(head) {
-                *entry = (end - head) as u32;
-            }
-            end += 1;
-            seen += 1;
-            control.tick(end - head, seen, objects.len())?;
-            if end > budget + seen || rows > work {
-                break;
-            }
-        }
-        let total = end - seen;
-        if total > budget || rows > work {
-            if crowded == Crowded::Fail || grid.n == [1; 3] {
-                return Err(Error::Limit);
-            }
-            // Half the counts leave a flat object a quarter of its references.
-            let mut excess = objects.len() / seen;
-            grids[number] = grid.coarser();
-            while excess >= 4 && grids[number].n != [1; 3] {
-                grids[number] = grids[number].coarser();
-                excess /= 4;
-            }
-            continue;
-        }
-        if end > stream.len() {
-            return Err(Error::Limit);
-        }
-        let refs = refs.get_mut(..total).ok_or(Error::Limit)?;
-        let mut start = 0;
-        for span in spans.iter_mut() {
-            span.start = start;
-            start += span.count;
-        }
-        let mut rest = &stream[..end];
-        for &object in objects {
-            let Some((&count, tail)) = rest.split_first() else { break };
-            let (voxels, tail) = tail.split_at(count as usize);
-            for &voxel in voxels {
-                let span = &mut spans[voxel as usize];
-                refs[span.start as usize] = object;
-                span.start += 1;
-            }
-            rest = tail;
-        }
-        for span in spans.iter_mut() {
-            span.start = first_ref as u32 + span.start - span.count;
-        }
-        return Ok((spans.len(), total));
-    }
-}
-
-/// The voxels of `grid` that an object meets; returns the rows looked at.
-#[inline(always)]
-fn each(
-    soup: &Soup<'_>,
-    grids: &[Grid],
-    grid: &Grid,
-    object: u32,
-    visit: impl FnMut(usize),
-) -> usize {
-    if object & GRID_BIT == 0 {
-        let i = object as usize;
-        voxels(&soup.triangles[i], &soup.boxes[i], grid, visit)
-    } else if let Some(range) = Range::of_grid(grid, &grids[(object & !GRID_BIT) as usize]) {
-        range.each(grid, visit);
-        range.rows()
-    } else {
-        1
     }
 }

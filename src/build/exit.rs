@@ -10,10 +10,10 @@
 //! it as much room on every side as its cube would, as nine of ten do; one with a
 //! list takes that of a neighbour that refers to nothing else, if it goes on.
 
-use super::clearance::Clearance;
 use super::draft::{Draft, Span};
 use super::frame::Grid;
 use super::grow::Grower;
+use super::masks::Masks;
 use super::reach::Reach;
 
 /// A voxel with a longer list keeps to itself: comparing lists costs more than
@@ -24,21 +24,14 @@ const LONG: u32 = 16;
 /// do not, so that each can be a task.
 pub const SLAB: usize = 8;
 
-/// Words of memory that [`clear`] takes for a grid.
-pub fn clearance_len(n: [usize; 3]) -> usize {
-    Clearance::size(n).div_ceil(8)
-}
-
 /// Words of memory that [`planes`] takes.
 pub fn plane_len(n: [usize; 3]) -> usize {
     n[0] * n[1]
 }
 
-/// Measures the clearances of a grid's voxels.
-pub fn clear<'a>(grid: &Grid, draft: &Draft<'_>, memory: &'a mut [u64]) -> Clearance<'a> {
-    let n = grid.n.map(|n| n as usize);
-    let bytes = &mut bytemuck::cast_slice_mut(memory)[..Clearance::size(n)];
-    Clearance::new(n, draft.spans(grid), bytes)
+/// Looks at which of a grid's voxels refer to something.
+pub fn masks<'a>(grid: &Grid, draft: &Draft<'_>, memory: &'a mut [u64]) -> Masks<'a> {
+    Masks::new(grid.n.map(|n| n as usize), draft.spans(grid), memory)
 }
 
 /// Writes the exit boxes of whole planes of a grid, from number `first` on, which
@@ -46,7 +39,7 @@ pub fn clear<'a>(grid: &Grid, draft: &Draft<'_>, memory: &'a mut [u64]) -> Clear
 pub fn planes(
     grid: &Grid,
     draft: &Draft<'_>,
-    clearance: &Clearance<'_>,
+    masks: &Masks<'_>,
     first: usize,
     memory: &mut [u64],
     words: &mut [u32],
@@ -55,7 +48,7 @@ pub fn planes(
     // The boxes of the last voxels looked at, one for each x and y.
     let plane: &mut [Reach] = bytemuck::cast_slice_mut(&mut memory[..plane_len(n)]);
     let spans = draft.spans(grid);
-    let grower = Grower { n, spans, draft, clearance };
+    let grower = Grower { n, spans, draft, masks, rows: masks.rows() };
     let mut rows =
         spans[first * n[0] * n[1]..].chunks_exact(n[0]).zip(words.chunks_exact_mut(n[0]));
     for z in first..n[2] {
@@ -81,11 +74,12 @@ fn row(
     let nx = grower.n[0];
     let (before, here) = plane.split_at_mut(y * nx);
     let before = before.len().checked_sub(nx).map(|at| &before[at..]);
-    let start = grower.clearance.index([0, y, z]);
     let index = (z * grower.n[1] + y) * nx;
     let mut last = Reach::NONE;
+    let mut rooms = 0;
     for (x, (span, word)) in spans.iter().zip(words).enumerate() {
-        let room = usize::from(grower.clearance.at(start + x));
+        rooms = if x % 8 == 0 { grower.masks.rooms([x, y, z]) } else { rooms >> 8 };
+        let room = (rooms & 0xff) as usize;
         let at = [x, y, z];
         last = if room > 0 {
             let shared = (last.next::<0>(room))
@@ -93,11 +87,12 @@ fn row(
                 .or_else(|| here[x].next::<2>(room));
             shared.unwrap_or_else(|| Reach::new(&grower.empty(at, room - 1), at, grower.n, false))
         } else if span.count <= LONG {
-            let fits = |before: usize| grower.adds_nothing(index + x - before, *span);
+            let list = grower.draft.list(*span);
+            let fits = |before: usize| grower.adds_nothing(index + x - before, list);
             let shared = (last.next_listed::<0>().filter(|_| fits(1)))
                 .or_else(|| before.and_then(|b| b[x].next_listed::<1>()).filter(|_| fits(nx)))
                 .or_else(|| here[x].next_listed::<2>().filter(|_| fits(nx * grower.n[1])));
-            shared.unwrap_or_else(|| Reach::new(&grower.listed(at, *span), at, grower.n, true))
+            shared.unwrap_or_else(|| Reach::new(&grower.listed(at, list), at, grower.n, true))
         } else {
             Reach::NONE
         };

@@ -1,7 +1,6 @@
 //! The last pass: the draft becomes an arena.
 //!
-//! Triangles are numbered in the order in which voxels, first to last, refer
-//! to them, so that what a ray meets together lies together.
+//! Triangles are copied in the order of the numbers that they got with their first grid.
 
 use super::control::Control;
 use super::draft::Draft;
@@ -20,8 +19,6 @@ pub struct Plan<'s> {
     pub(super) draft: Draft<'s>,
     pub(super) structure: Structure,
     pub(super) levels: u32,
-    /// Room for the triangles' new numbers.
-    pub(super) numbers: &'s mut [u32],
     /// Whether voxels get exit boxes, and room for the sums that takes.
     pub(super) exits: bool,
     pub(super) table: &'s mut [u64],
@@ -34,7 +31,6 @@ impl<'s> Plan<'s> {
         draft: Draft<'s>,
         structure: Structure,
         exits: bool,
-        numbers: &'s mut [u32],
         table: &'s mut [u64],
     ) -> Result<Self, Error> {
         let grids = draft.grids();
@@ -42,14 +38,15 @@ impl<'s> Plan<'s> {
         let words = |g| draft.spans(g).iter().map(|&s| words(&draft, s)).sum::<u64>();
         let refs: u64 = grids.iter().map(words).sum();
         let levels = grids.iter().map(|g| g.level + 1).max().unwrap_or(0);
-        let triangles = draft.soup.triangles.len() as u64;
+        let triangles = draft.triangles().len();
+        debug_assert_eq!(triangles, draft.soup.triangles.len(), "a triangle is in no grid");
         // A list's place must fit a voxel's payload.
         if refs > u64::from(PAYLOAD) {
             return Err(Error::Limit);
         }
-        let (sections, bytes) = sections(grids.len() as u64, voxels, refs, triangles)?;
+        let (sections, bytes) = sections(grids.len() as u64, voxels, refs, triangles as u64)?;
         let bytes = bytes as usize;
-        Ok(Self { draft, structure, levels, exits, numbers, table, sections, bytes })
+        Ok(Self { draft, structure, levels, exits, table, sections, bytes })
     }
 
     /// Size of the arena that [`Plan::write`] makes, a multiple of 64.
@@ -77,7 +74,7 @@ impl<'s> Plan<'s> {
         fpenv::with_default(|| self.write_arena(arena, control))
     }
 
-    fn write_arena(self, arena: &mut [u8], control: &mut Control<'_>) -> Result<(), Error> {
+    fn write_arena(mut self, arena: &mut [u8], control: &mut Control<'_>) -> Result<(), Error> {
         if !(arena.as_ptr() as usize).is_multiple_of(ALIGN) {
             return Err(Error::Alignment);
         }
@@ -104,7 +101,11 @@ impl<'s> Plan<'s> {
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
         rest.fill(0);
         control.pass(0.5)?;
-        renumber(&self.draft, self.numbers, triangles, control)?;
+        let total = triangles.len();
+        for ((i, to), from) in triangles.iter_mut().enumerate().zip(self.draft.triangles()) {
+            control.tick(1, i, total)?;
+            *to = *from;
+        }
         control.pass(0.95)?;
         let unit = unit(&self.draft.soup.bounds);
         let mut first = 0;
@@ -113,13 +114,13 @@ impl<'s> Plan<'s> {
             first += from.voxels() as u32;
         }
         let table = if self.exits { &mut *self.table } else { &mut [] };
-        parts::write(&self.draft, self.numbers, table, (voxels, refs), control)?;
+        parts::write(&self.draft, triangles, table, (voxels, refs), control)?;
         control.pass(1.0)?;
         count_walks(grids, voxels, refs);
         if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {
             return Err(Error::Limit);
         }
-        head.objects = count_objects(grids, voxels, refs, self.numbers, control)?;
+        head.objects = count_objects(grids, voxels, refs, self.draft.spare(), control)?;
         control.at(1, 1)
     }
 
@@ -147,33 +148,6 @@ impl<'s> Plan<'s> {
     }
 }
 
-/// Numbers the triangles as the voxels meet them and copies them in that order.
-fn renumber(
-    draft: &Draft<'_>,
-    numbers: &mut [u32],
-    triangles: &mut [Triangle],
-    control: &mut Control<'_>,
-) -> Result<(), Error> {
-    const UNSEEN: u32 = u32::MAX;
-    numbers.fill(UNSEEN);
-    let mut seen = 0;
-    for grid in draft.grids() {
-        for &span in draft.spans(grid) {
-            control.tick(1, seen as usize, triangles.len())?;
-            for &object in draft.list(span).iter().filter(|&&o| o & GRID_BIT == 0) {
-                let number = &mut numbers[object as usize];
-                if *number == UNSEEN {
-                    *number = seen;
-                    triangles[seen as usize] = draft.soup.triangles[object as usize];
-                    seen += 1;
-                }
-            }
-        }
-    }
-    debug_assert_eq!(seen as usize, triangles.len(), "a triangle is in no voxel");
-    Ok(())
-}
-
 /// The references of a voxel of an arena being written.
 fn list<'a>(voxel: &u32, refs: &'a [u32]) -> &'a [u32] {
     let start = (voxel & PAYLOAD) as usize;
@@ -192,19 +166,24 @@ fn count_objects(
     control: &mut Control<'_>,
 ) -> Result<[u32; MAX_LEVELS], Error> {
     let mut objects = [0; MAX_LEVELS];
+    if grids.iter().all(|grid| grid.level == 0) {
+        // Every triangle is in some voxel.
+        objects[0] = last.len() as u32;
+        return Ok(objects);
+    }
     last.fill(u32::MAX);
     for grid in grids {
-        let first = grid.first as usize;
+        let (first, level) = (grid.first as usize, u32::from(grid.level));
+        let mut count = 0;
         for (i, voxel) in voxels[first..][..grid.voxels() as usize].iter().enumerate() {
             control.tick(1, first + i, voxels.len())?;
-            for &r in list(voxel, refs).iter().filter(|&&r| r & GRID_BIT == 0) {
-                if core::mem::replace(&mut last[r as usize], u32::from(grid.level))
-                    != u32::from(grid.level)
-                {
-                    objects[usize::from(grid.level)] += 1;
-                }
+            for &r in list(voxel, refs).iter().take_while(|&&r| r & GRID_BIT == 0) {
+                let last = &mut last[r as usize];
+                count += u32::from(*last != level);
+                *last = level;
             }
         }
+        objects[level as usize] += count;
     }
     Ok(objects)
 }
@@ -216,7 +195,7 @@ fn count_walks(grids: &mut [Grid], voxels: &[u32], refs: &[u32]) {
         let entries = |voxel: &u32| match voxel >> TAG_SHIFT {
             GRID => walks(voxel & PAYLOAD),
             _ => {
-                let below = list(voxel, refs).iter().filter(|&&r| r & GRID_BIT != 0);
+                let below = list(voxel, refs).iter().rev().take_while(|&&r| r & GRID_BIT != 0);
                 below.map(|&r| walks(r & !GRID_BIT)).sum()
             }
         };

@@ -11,9 +11,10 @@ use crate::geometry::Geometry;
 use crate::triangle::degenerate;
 use glam::Vec3A;
 
-/// The triangles of a scene and their boxes, in the order of the soup.
+/// The triangles of a scene, in the order of the soup.
 pub struct Soup<'s> {
     pub triangles: &'s [Triangle],
+    /// Their boxes, if the structure needs them.
     pub boxes: &'s [Aabb],
     pub bounds: Aabb,
     pub dropped_non_finite: u64,
@@ -49,12 +50,12 @@ impl<'s> Soup<'s> {
     /// Cost: linear, one exact test for each triangle without certain area.
     pub fn gather(
         soup: &[Geometry<'_>],
-        capacity: usize,
+        (capacity, boxes): (usize, usize),
         scratch: &mut Scratch<'s>,
         control: &mut Control<'_>,
     ) -> Result<Self, Error> {
         let triangles = scratch.take::<Triangle>(capacity)?;
-        let boxes = scratch.take::<Aabb>(capacity)?;
+        let boxes = scratch.take::<Aabb>(boxes)?;
         let mut all = NOTHING;
         let mut looked_at = 0;
         let mut ranges = (0..).zip(soup).flat_map(|(geom, geometry)| {
@@ -63,7 +64,8 @@ impl<'s> Soup<'s> {
             starts.map(move |start| (geom, geometry, start..count.min(start + PART)))
         });
         loop {
-            let free = (&mut triangles[all.kept..], &mut boxes[all.kept..]);
+            let kept = all.kept.min(boxes.len());
+            let free = (&mut triangles[all.kept..], &mut boxes[kept..]);
             let (found, seen) = batch(&mut ranges, free, control)?;
             if seen == 0 {
                 break;
@@ -73,7 +75,9 @@ impl<'s> Soup<'s> {
             for (len, part) in found.into_iter().flatten() {
                 if start != all.kept {
                     triangles.copy_within(start..start + part.kept, all.kept);
-                    boxes.copy_within(start..start + part.kept, all.kept);
+                    if !boxes.is_empty() {
+                        boxes.copy_within(start..start + part.kept, all.kept);
+                    }
                 }
                 start += len;
                 all.kept += part.kept;
@@ -86,7 +90,7 @@ impl<'s> Soup<'s> {
         }
         Ok(Self {
             triangles: &triangles[..all.kept],
-            boxes: &boxes[..all.kept],
+            boxes: &boxes[..all.kept.min(boxes.len())],
             bounds: all.bounds,
             dropped_non_finite: all.dropped_non_finite,
             dropped_degenerate: all.dropped_degenerate,
@@ -106,7 +110,8 @@ fn batch<'a>(
 ) -> Result<Batch, Error> {
     let mut parts = [(); TASKS].map(|()| {
         let (geom, geometry, prims) = ranges.next()?;
-        let (triangles, boxes) = (cut(&mut triangles, prims.len()), cut(&mut boxes, prims.len()));
+        let count = if boxes.is_empty() { 0 } else { prims.len() };
+        let (triangles, boxes) = (cut(&mut triangles, prims.len()), cut(&mut boxes, count));
         Some(Part { geom, geometry, prims, triangles, boxes, found: Ok(NOTHING) })
     });
     let used = parts.iter().flatten().count();
@@ -127,21 +132,27 @@ impl Part<'_> {
     fn look(&mut self) -> Result<Found, Error> {
         let mut found = NOTHING;
         let mask = self.geometry.mask();
+        let [mut lowest, mut highest] = [NOTHING.bounds.lo, NOTHING.bounds.hi].map(Vec3A::from);
         for prim in self.prims.clone() {
             let corners = self.geometry.triangle(prim)?;
+            let [a, b, c] = corners.map(Vec3A::from_array);
             // Zero times what is not finite is no number.
-            if corners.as_flattened().iter().map(|x| x * 0.0).sum::<f32>() != 0.0 {
+            if !(a * 0.0 + b * 0.0 + c * 0.0).cmpeq(Vec3A::ZERO).all() {
                 found.dropped_non_finite += 1;
-            } else if !has_area(&corners) && degenerate(&corners) {
+            } else if !has_area(a, b, c) && degenerate(&corners) {
                 found.dropped_degenerate += 1;
             } else {
-                let b = Aabb::of(&corners);
                 self.triangles[found.kept] = Triangle::new(&corners, self.geom, prim as u32, mask);
-                self.boxes[found.kept] = b;
-                found.bounds.join(&b);
+                if let Some(slot) = self.boxes.get_mut(found.kept) {
+                    *slot = Aabb::of(&corners);
+                }
+                // Zeros are positive, as in `Aabb::of`.
+                lowest = lowest.min(a.min(b).min(c) + Vec3A::ZERO);
+                highest = highest.max(a.max(b).max(c) + Vec3A::ZERO);
                 found.kept += 1;
             }
         }
+        found.bounds = Aabb { lo: lowest.to_array(), hi: highest.to_array() };
         Ok(found)
     }
 }
@@ -150,8 +161,7 @@ impl Part<'_> {
 /// 2^-24 of themselves, so each part of their cross product by less than 2^-21 of
 /// the product of the largest coordinates, if nothing overflows or underflows.
 #[inline(always)]
-fn has_area(corners: &[[f32; 3]; 3]) -> bool {
-    let [a, b, c] = corners.map(Vec3A::from_array);
+fn has_area(a: Vec3A, b: Vec3A, c: Vec3A) -> bool {
     let (e1, e2) = (b - a, c - a);
     let m = e1.abs().max_element() * e2.abs().max_element();
     m > 1e-30 && e1.cross(e2).abs().max_element() > m * (1.0 / (1 << 20) as f32)

@@ -30,9 +30,9 @@ pub fn hug<'s>(
     let boxes = draft.soup.boxes;
     let levels = Levels::fit(&options.filter, boxes);
     let world = levels.count() as u8 - 1;
-    let home = &mut scratch.take::<u8>(capacity.triangles)?[..count];
-    let order = &mut scratch.take::<u32>(capacity.triangles)?[..count];
-    let parts = scratch.take::<Part>(capacity.triangles)?;
+    let home = &mut scratch.take::<u8>(capacity.filtered)?[..count];
+    let order = &mut scratch.take::<u32>(capacity.filtered)?[..count];
+    let parts = scratch.take::<Part>(capacity.filtered)?;
     let ranges = scratch.take::<[u32; 2]>(capacity.grids)?;
     let links = scratch.take::<[u32; 2]>(capacity.links)?;
 

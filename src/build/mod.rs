@@ -8,8 +8,9 @@
 //! is what a build may use of the caller's meanwhile; `gather` and `parts`, which
 //! `flatten` leaves the voxels to, split their work into tasks.
 
+mod bounds;
+mod bucket;
 mod capacity;
-mod clearance;
 mod cluster;
 mod control;
 mod draft;
@@ -22,10 +23,12 @@ mod gather;
 mod grow;
 mod hierarchy;
 mod hug;
+mod masks;
 mod overlap;
 mod parts;
 mod reach;
 mod recursive;
+mod rows;
 mod scratch;
 mod uniform;
 
@@ -93,9 +96,9 @@ pub fn plan_with<'s>(
         let mut scratch = Scratch::new(scratch);
         control.begin();
         control.pass(0.1)?;
-        let soup = Soup::gather(soup, capacity.triangles, &mut scratch, control)?;
+        let soup =
+            Soup::gather(soup, (capacity.triangles, capacity.filtered), &mut scratch, control)?;
         let count = soup.triangles.len();
-        let numbers = &mut scratch.take::<u32>(capacity.triangles)?[..count];
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
         let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
         let table = scratch.take::<u64>(capacity.table)?;
@@ -113,7 +116,7 @@ pub fn plan_with<'s>(
                 }
             }
         }
-        Plan::new(draft, options.structure, options.exit_boxes, numbers, table)
+        Plan::new(draft, options.structure, options.exit_boxes, table)
     })
 }
 

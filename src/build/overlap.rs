@@ -8,7 +8,7 @@
 //! magnitudes involved, so a voxel is never left out, at any scale; one too
 //! many is harmless.
 
-use super::footprint::Small;
+use super::footprint::{Near, Shape};
 use super::frame::Grid;
 use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
@@ -62,6 +62,21 @@ impl Range {
         side(1) * side(2)
     }
 
+    /// Where the box lies in a single layer of voxels, the projection onto that tells all
+    /// about a triangle; in a single row, it meets every voxel between its ends.
+    #[inline(always)]
+    pub fn shape(&self) -> Shape {
+        let wide = (0..3).fold(0, |wide, k| wide | u32::from(self.lo[k] != self.hi[k]) << k);
+        let thin = self.inside & !wide;
+        if wide == 0 || wide.is_power_of_two() && thin | wide == 7 {
+            Shape::All
+        } else if wide != 7 && thin | wide == 7 {
+            Shape::Layer(thin.trailing_zeros() as usize)
+        } else {
+            Shape::Block
+        }
+    }
+
     /// Calls `visit` with the number of each voxel, counted from the grid's first.
     #[inline(always)]
     pub fn each(&self, grid: &Grid, mut visit: impl FnMut(usize)) {
@@ -108,28 +123,27 @@ impl Edges {
 /// Calls `visit` with each voxel that `triangle` meets; returns how many rows of
 /// voxels it looked at.
 #[inline(always)]
-pub fn voxels(triangle: &Triangle, b: &Aabb, grid: &Grid, mut visit: impl FnMut(usize)) -> usize {
-    let Some(range) = Range::of_box(grid, b) else { return 1 };
-    let wide: u32 = (0..3).map(|k| u32::from(range.lo[k] != range.hi[k]) << k).sum();
-    // Along the other axes the triangle lies in one layer of voxels: in a single
-    // row it meets every voxel between the ends of its box.
-    let thin = range.inside & !wide;
-    if wide == 0 || wide.is_power_of_two() && thin | wide == 7 {
+pub fn voxels(
+    triangle: &Triangle,
+    grid: &Grid,
+    near: Option<&Near>,
+    mut visit: impl FnMut(usize),
+) -> usize {
+    let rows = near.and_then(|near| near.voxels(triangle, grid, &mut visit));
+    rows.unwrap_or_else(|| far_voxels(triangle, grid, &mut visit))
+}
+
+/// [`voxels`] in `f64`.
+#[cold]
+fn far_voxels(triangle: &Triangle, grid: &Grid, visit: &mut impl FnMut(usize)) -> usize {
+    let corners = triangle.corners();
+    let Some(range) = Range::of_box(grid, &Aabb::of(&corners)) else { return 1 };
+    if matches!(range.shape(), Shape::All) {
         range.each(grid, visit);
         return range.rows();
     }
-    let q = triangle
-        .corners()
+    let q = corners
         .map(|p| core::array::from_fn(|k| (f64::from(p[k]) - grid.lo[k]) * grid.inv_cell[k]));
-    // In a single layer the projection onto it tells all.
-    let single = (wide != 7 && thin | wide == 7).then(|| thin.trailing_zeros() as usize);
-    if let Some(small) = Small::new(&q, &range) {
-        match single {
-            Some(k) => small.layer(k, &range, grid, visit),
-            None => small.block(&range, grid, visit),
-        }
-        return range.rows();
-    }
     let far = q.as_flattened().iter().fold(2048.0f64, |m, x| m.max(x.abs()));
     let (e0, e1) = (edge(&q[0], &q[1]), edge(&q[0], &q[2]));
     let longest = e0.iter().chain(&e1).fold(1.0f64, |m, x| m.max(x.abs()));

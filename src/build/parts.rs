@@ -4,13 +4,17 @@
 //! follows from the grids alone, and each has voxels, lists and working memory of
 //! its own.
 
+use super::bounds::Frame;
 use super::control::{Control, TASKS};
 use super::draft::{Draft, Span};
-use super::exit::{SLAB, clear, clearance_len, plane_len, planes};
+use super::exit::{SLAB, masks, plane_len, planes};
 use super::frame::Grid;
+use super::masks::Masks;
 use super::scratch::cut;
 use crate::Error;
-use crate::arena::layout::{EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, TAG_SHIFT};
+use crate::arena::layout::{
+    EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, REF_WORDS, TAG_SHIFT, Triangle,
+};
 
 /// Voxels from which on a grid is cut into slabs.
 const LARGE: u64 = 1 << 15;
@@ -19,18 +23,18 @@ const RUN: u64 = 1 << 13;
 
 /// Words of the references' section that a voxel takes.
 pub fn words(draft: &Draft<'_>, span: Span) -> u64 {
-    match draft.list(span) {
-        [] => 0,
-        [only] if only & GRID_BIT != 0 => 0,
-        list => (LIST_HEAD + list.len()) as u64,
+    match span.count {
+        0 => 0,
+        1 if draft.list(span)[0] & GRID_BIT != 0 => 0,
+        count => LIST_HEAD as u64 + REF_WORDS as u64 * u64::from(count),
     }
 }
 
 /// What the parts read.
 struct Input<'a> {
     draft: &'a Draft<'a>,
-    /// The triangles' places in the arena.
-    numbers: &'a [u32],
+    /// The triangles of the arena.
+    triangles: &'a [Triangle],
 }
 
 /// What is not handed out yet of the arena.
@@ -74,21 +78,22 @@ fn sides(grid: &Grid) -> [usize; 3] {
 /// Words of memory for a grid's exit boxes; 0 where there are to be none, as the
 /// whole `table` is too small.
 fn memory_len(grid: &Grid, table: usize) -> usize {
-    let words = clearance_len(sides(grid)) + plane_len(sides(grid));
-    if words <= table { words } else { 0 }
+    let n = sides(grid);
+    let words = Masks::size(n).min(table.saturating_sub(plane_len(n)));
+    if words < Masks::least(n) { 0 } else { words + plane_len(n) }
 }
 
-/// Writes all voxels and lists. `numbers`: the triangles' places in the arena;
-/// `table`: memory for exit boxes; a grid that needs more of it goes without.
+/// Writes all voxels and lists. `triangles`: those of the arena; `table`: memory for exit
+/// boxes; a grid that needs more of it goes without.
 pub fn write(
     draft: &Draft<'_>,
-    numbers: &[u32],
+    triangles: &[Triangle],
     table: &mut [u64],
     (voxels, refs): (&mut [u32], &mut [u32]),
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let total = voxels.len();
-    let input = &Input { draft, numbers };
+    let input = &Input { draft, triangles };
     let mut free = Free { voxels, refs, first: 0 };
     let mut grids = draft.grids();
     while let Some((first, rest)) = grids.split_first() {
@@ -118,20 +123,21 @@ fn runs<'g>(
     free: &mut Free<'_>,
     control: &Control<'_>,
 ) -> Result<&'g [Grid], Error> {
+    let draft = input.draft;
     let size = table.len();
     let mut memory = table;
     let mut runs = [(); TASKS].map(|()| {
         let (count, words) = run_len(grids, size, memory.len());
         let (run, rest) = grids.split_at(count);
         grids = rest;
-        let output = free.take(input.draft, run.iter().map(|grid| input.draft.spans(grid)));
+        let output = free.take(draft, run.iter().map(|grid| draft.spans(grid)));
         Run { grids: run, memory: cut(&mut memory, words), output }
     });
     let used = runs.iter().take_while(|run| !run.grids.is_empty()).count();
     control.each(&mut runs[..used], |run| {
         let mut at = 0;
         for grid in run.grids {
-            let spans = input.draft.spans(grid);
+            let spans = draft.spans(grid);
             let words = &mut run.output.voxels[at..at + spans.len()];
             at += spans.len();
             let len = memory_len(grid, size);
@@ -139,11 +145,13 @@ fn runs<'g>(
                 words.fill(0);
             } else {
                 let (plane, rest) = run.memory[..len].split_at_mut(plane_len(sides(grid)));
-                let clearance = clear(grid, input.draft, rest);
-                planes(grid, input.draft, &clearance, 0, plane, words);
+                let masks = masks(grid, draft, rest);
+                planes(grid, draft, &masks, 0, plane, words);
             }
         }
-        run.output.write(input, run.grids.iter().flat_map(|grid| input.draft.spans(grid)));
+        for grid in run.grids {
+            run.output.write(input, grid, 0, input.draft.spans(grid));
+        }
     })?;
     Ok(grids)
 }
@@ -178,37 +186,41 @@ fn slabs(
     free: &mut Free<'_>,
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
+    let draft = input.draft;
     let n = sides(grid);
     let exits = memory_len(grid, table.len()) > 0;
-    let (memory, clearance) = if exits {
-        let (head, rest) = table.split_at_mut(clearance_len(n));
-        (rest, Some(clear(grid, input.draft, head)))
+    let (memory, masks) = if exits {
+        // A quarter at most is kept for the tasks' planes.
+        let planes = (TASKS * plane_len(n)).min(table.len() / 4).max(plane_len(n));
+        let most = Masks::size(n).min(table.len() - planes).max(Masks::least(n));
+        let (head, rest) = table.split_at_mut(most);
+        (rest, Some(masks(grid, draft, head)))
     } else {
         (&mut table[..0], None)
     };
     let plane = if exits { plane_len(n) } else { 0 };
     let most = memory.len().checked_div(plane).map_or(TASKS, |fit| fit.min(TASKS));
-    let mut slabs = input.draft.spans(grid).chunks(SLAB * n[0] * n[1]).enumerate();
+    let mut slabs = draft.spans(grid).chunks(SLAB * n[0] * n[1]).enumerate();
     let total = n[2].div_ceil(SLAB);
     while slabs.len() > 0 {
         let mut memory = &mut *memory;
         let mut next = slabs.by_ref().take(most);
         let mut tasks = [(); TASKS].map(|()| {
             let (number, spans) = next.next()?;
-            let output = free.take(input.draft, core::iter::once(spans));
+            let output = free.take(draft, core::iter::once(spans));
             Some(Slab { first: number * SLAB, spans, memory: cut(&mut memory, plane), output })
         });
         let used = tasks.iter().flatten().count();
         control.each(&mut tasks[..used], |task| {
             let Some(slab) = task else { return };
-            match &clearance {
-                Some(clearance) => {
+            match &masks {
+                Some(masks) => {
                     let words = &mut *slab.output.voxels;
-                    planes(grid, input.draft, clearance, slab.first, slab.memory, words);
+                    planes(grid, draft, masks, slab.first, slab.memory, words);
                 }
                 None => slab.output.voxels.fill(0),
             }
-            slab.output.write(input, slab.spans.iter());
+            slab.output.write(input, grid, slab.first, slab.spans);
         })?;
         control.tick(grid.voxels() as usize, total - slabs.len(), total)?;
     }
@@ -216,25 +228,32 @@ fn slabs(
 }
 
 impl Output<'_> {
-    /// Writes the lists of `spans`, and puts them or the exit boxes that are there
-    /// into the voxels.
-    fn write<'d>(&mut self, input: &Input<'_>, spans: impl Iterator<Item = &'d Span>) {
-        let mut end = 0;
-        for (word, &span) in self.voxels.iter_mut().zip(spans) {
+    /// Writes the next voxels: whole planes of a grid, from number `plane` on. Their
+    /// words hold exit boxes.
+    fn write(&mut self, input: &Input<'_>, grid: &Grid, plane: usize, spans: &[Span]) {
+        let [nx, ny, _] = sides(grid);
+        let words = cut(&mut self.voxels, spans.len());
+        for (i, (word, &span)) in words.iter_mut().zip(spans).enumerate() {
             *word = match input.draft.list(span) {
                 [] => EMPTY << TAG_SHIFT | *word,
                 [only] if only & GRID_BIT != 0 => GRID << TAG_SHIFT | (only & !GRID_BIT),
                 list => {
-                    self.refs[end] = *word;
-                    self.refs[end + 1] = span.count;
-                    let to = &mut self.refs[end + LIST_HEAD..][..list.len()];
-                    for (to, &object) in to.iter_mut().zip(list) {
-                        let triangle = object & GRID_BIT == 0;
-                        *to = if triangle { input.numbers[object as usize] } else { object };
+                    let at = [i % nx, i / nx % ny, plane + i / (nx * ny)];
+                    let place = LIST << TAG_SHIFT | self.first;
+                    let words = LIST_HEAD + REF_WORDS * list.len();
+                    self.first += words as u32;
+                    let (head, rest) = cut(&mut self.refs, words).split_at_mut(LIST_HEAD);
+                    head.copy_from_slice(&[*word, span.count]);
+                    let (refs, boxes) = rest.split_at_mut(list.len());
+                    refs.copy_from_slice(list);
+                    let frame = Frame::new(grid, at, *word);
+                    for (to, &reference) in boxes.iter_mut().zip(&*refs) {
+                        *to = if reference & GRID_BIT == 0 {
+                            frame.of_triangle(&input.triangles[reference as usize])
+                        } else {
+                            frame.of_grid(&input.draft.grids()[(reference & !GRID_BIT) as usize])
+                        };
                     }
-                    to.sort_unstable();
-                    let place = LIST << TAG_SHIFT | (self.first + end as u32);
-                    end += LIST_HEAD + list.len();
                     place
                 }
             };

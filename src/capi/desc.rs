@@ -4,6 +4,7 @@ use core::mem::MaybeUninit;
 
 use super::guard::overlap;
 use super::options::options;
+use super::sized;
 use super::types::{HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, hug_build_desc, hug_geometry};
 use crate::build::{self, Sizes};
 use crate::geometry::{Geometry, Indices};
@@ -24,30 +25,8 @@ impl<'a> Parsed<'a> {
     /// # Safety
     /// `desc`, its thresholds and its geometries are readable (or NULL), for `'a`.
     pub unsafe fn read(desc: *const hug_build_desc) -> Result<Self, Error> {
-        if desc.is_null() {
-            return Err(Error::Null);
-        }
-        if !desc.is_aligned() {
-            return Err(Error::Alignment);
-        }
-        // SAFETY: every descriptor begins with its size.
-        let size = unsafe { desc.cast::<usize>().read() };
-        if !(FIRST_DESC..=MAX_DESC).contains(&size) || !size.is_multiple_of(align_of_val(&size)) {
-            return Err(Error::StructSize);
-        }
-        let known = size.min(size_of::<hug_build_desc>());
-        let mut head = MaybeUninit::<hug_build_desc>::zeroed();
-        // SAFETY: the caller vouches for `size` bytes; zeros are a value of every
-        // field. A later version's further fields must be zero, as we cannot honour
-        // them.
-        let (head, tail) = unsafe {
-            head.as_mut_ptr().cast::<u8>().copy_from_nonoverlapping(desc.cast(), known);
-            let bytes = core::slice::from_raw_parts(desc.cast::<u8>(), size);
-            (head.assume_init(), &bytes[known..])
-        };
-        if tail.iter().any(|&b| b != 0) {
-            return Err(Error::StructSize);
-        }
+        // SAFETY: by the caller; zeros are a value of every field.
+        let head = unsafe { sized::read(desc, FIRST_DESC) }?;
         if head.geometry_count > 0 && head.geometries.is_null() {
             return Err(Error::Null);
         }
@@ -128,8 +107,6 @@ impl<'a> Parsed<'a> {
 
 /// The first version of the descriptor ended before this field.
 const FIRST_DESC: usize = core::mem::offset_of!(hug_build_desc, quality);
-/// No version of the descriptor will be larger: a larger size is garbage.
-const MAX_DESC: usize = 4096;
 
 /// # Safety
 /// `count` records are readable, unless `count` is 0.

@@ -20,8 +20,11 @@ mod options;
 mod profile;
 mod query;
 mod rebuild;
+mod sized;
 mod stat_types;
 mod stats;
+mod stream;
+mod stream_soa;
 pub mod types;
 
 pub use build::*;
@@ -30,3 +33,5 @@ pub use profile::*;
 pub use query::*;
 pub use rebuild::*;
 pub use stats::*;
+pub use stream::*;
+pub use stream_soa::*;

@@ -1,4 +1,4 @@
-//! Queries and what they cost.
+//! Queries of one ray, and what they cost.
 
 use super::build::hug_scene;
 use super::types::{hug_counters, hug_hit, hug_ray};
@@ -65,67 +65,6 @@ pub unsafe extern "C" fn hug_occluded(scene: *const hug_scene, ray: *const hug_r
     i32::from(unsafe { view(scene).occluded(&read(ray)) })
 }
 
-/// Finds the closest hits of n rays. Ray i is at rays + i * ray_stride bytes,
-/// hit i at hits + i * hit_stride; a stride of 0 means packed. Rays and hits
-/// may be fields of one array's elements, but must not overlap otherwise.
-/// Results are those of hug_intersect, bit for bit, in the order of the rays.
-/// With a NULL pointer nothing is done.
-///
-/// # Safety
-/// The rays must be readable and the hits writable, at their strides.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn hug_intersect_n(
-    scene: *const hug_scene,
-    rays: *const hug_ray,
-    ray_stride: usize,
-    hits: *mut hug_hit,
-    hit_stride: usize,
-    n: usize,
-) {
-    if scene.is_null() || rays.is_null() || hits.is_null() {
-        return;
-    }
-    let ray_stride = if ray_stride == 0 { size_of::<hug_ray>() } else { ray_stride };
-    let hit_stride = if hit_stride == 0 { size_of::<hug_hit>() } else { hit_stride };
-    // SAFETY: valid by contract, for every i below n.
-    unsafe {
-        let view = view(scene);
-        for i in 0..n {
-            let ray = read(rays.byte_add(i * ray_stride));
-            let hit = hits.byte_add(i * hit_stride).cast::<Hit>();
-            hit.write_unaligned(view.intersect(&ray));
-        }
-    }
-}
-
-/// Whether anything is hit, for n rays: occluded[i] becomes 1 or 0. Ray i is
-/// at rays + i * ray_stride bytes; a stride of 0 means packed. With a NULL
-/// pointer nothing is done.
-///
-/// # Safety
-/// The rays must be readable at their stride, n bytes at occluded writable.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn hug_occluded_n(
-    scene: *const hug_scene,
-    rays: *const hug_ray,
-    ray_stride: usize,
-    occluded: *mut u8,
-    n: usize,
-) {
-    if scene.is_null() || rays.is_null() || occluded.is_null() {
-        return;
-    }
-    let ray_stride = if ray_stride == 0 { size_of::<hug_ray>() } else { ray_stride };
-    // SAFETY: valid by contract, for every i below n.
-    unsafe {
-        let view = view(scene);
-        for i in 0..n {
-            let ray = read(rays.byte_add(i * ray_stride));
-            occluded.add(i).write(u8::from(view.occluded(&ray)));
-        }
-    }
-}
-
 /// hug_intersect that also adds what it did to *counters. The hit is the same.
 /// With a NULL pointer: as hug_intersect, and nothing is counted.
 ///
@@ -180,7 +119,7 @@ pub unsafe extern "C" fn hug_occluded_counted(
 ///
 /// # Safety
 /// `counters` is readable and writable.
-unsafe fn add(counters: *mut hug_counters, seen: &Counters) {
+pub(super) unsafe fn add(counters: *mut hug_counters, seen: &Counters) {
     // SAFETY: by the caller.
     unsafe {
         let mut c = counters.read_unaligned();

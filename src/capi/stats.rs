@@ -155,8 +155,8 @@ pub extern "C" fn hug_abi_version() -> u32 {
     1
 }
 
-/// The instruction set that queries run on: "avx512",
-/// "avx2" or "portable", never NULL. Results do not depend on it.
+/// The instruction set that queries run on: "avx512", "avx2", "neon" or
+/// "portable", never NULL. Results do not depend on it.
 #[unsafe(no_mangle)]
 pub extern "C" fn hug_isa() -> *const c_char {
     crate::isa().name().as_ptr()

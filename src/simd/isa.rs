@@ -2,6 +2,8 @@
 
 use core::sync::atomic::{AtomicU8, Ordering};
 
+#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+use super::aarch64::Neon;
 use super::lanes::{Kernel, Lanes};
 use super::portable::Portable;
 #[cfg(target_arch = "x86_64")]
@@ -17,11 +19,13 @@ pub enum Isa {
     Avx2 = 2,
     /// AVX-512 (F, VL, DQ).
     Avx512 = 3,
+    /// NEON, which nearly every AArch64 processor has.
+    Neon = 4,
 }
 
 impl Isa {
-    /// All of them, best last.
-    pub const ALL: [Self; 3] = [Self::Portable, Self::Avx2, Self::Avx512];
+    /// All of them; of those that a processor can have, the best last.
+    pub const ALL: [Self; 4] = [Self::Portable, Self::Avx2, Self::Avx512, Self::Neon];
 
     /// Lower-case name.
     #[must_use]
@@ -30,18 +34,21 @@ impl Isa {
             Self::Portable => c"portable",
             Self::Avx2 => c"avx2",
             Self::Avx512 => c"avx512",
+            Self::Neon => c"neon",
         }
     }
 
     fn available(self) -> bool {
-        #[cfg(target_arch = "x86_64")]
         match self {
             Self::Portable => true,
+            #[cfg(target_arch = "x86_64")]
             Self::Avx2 => Avx2::detect().is_some(),
+            #[cfg(target_arch = "x86_64")]
             Self::Avx512 => Avx512::detect().is_some(),
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Avx2 | Self::Avx512 => false,
+            Self::Neon => cfg!(all(target_arch = "aarch64", target_feature = "neon")),
         }
-        #[cfg(not(target_arch = "x86_64"))]
-        matches!(self, Self::Portable)
     }
 }
 
@@ -111,6 +118,10 @@ pub(crate) fn dispatch<K: AnyKernel>(kernel: K) -> K::Out {
             // SAFETY: the set in use is available.
             return unsafe { Avx2::detected() }.run(On(kernel));
         }
+    }
+    #[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+    if set == Isa::Neon as u8 {
+        return Neon.run(On(kernel));
     }
     debug_assert_eq!(set, Isa::Portable as u8);
     Portable.run(On(kernel))

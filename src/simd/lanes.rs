@@ -4,16 +4,22 @@
 /// the sieve, a triangle each, with the operations needed.
 ///
 /// A value of an implementing type is proof that the processor has the
-/// instructions: values come from run-time detection alone. What four lanes
-/// compute is the same everywhere, bit for bit, but for numbers out of range and
-/// NaN; wide rows may round otherwise.
+/// instructions: values come from run-time detection, unless the target has them
+/// anyway. What four lanes compute is the same everywhere, bit for bit, but for numbers
+/// out of range, NaN and which of two zeros is the greater; wide rows may round
+/// otherwise.
 pub(crate) trait Lanes: Copy {
     type F64: Copy;
     type F32: Copy;
     type I32: Copy;
     /// [`Lanes::WIDE`] `f32`, at most 8.
     type Wide: Copy;
+    /// [`Lanes::WIDE`] `u32`.
+    type Words: Copy;
     const WIDE: usize;
+
+    /// Brings what `at` points to closer, if that is quicker; reads nothing.
+    fn prefetch<T>(self, at: *const T);
 
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;
@@ -54,12 +60,15 @@ pub(crate) trait Lanes: Copy {
     fn div_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
     /// `a * b + c`, rounded once; without `EXACT` perhaps twice.
     fn mul_add<const EXACT: bool>(self, a: Self::F32, b: Self::F32, c: Self::F32) -> Self::F32;
+    /// `a` where `mask` is all ones, +0 where it is zero.
+    fn mask_f32(self, a: Self::F32, mask: Self::I32) -> Self::F32;
     fn minus_f32(self, a: Self::F32) -> Self::F32;
     fn max_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
     /// The greatest of the first three lanes, in every lane.
     fn highest(self, a: Self::F32) -> Self::F32;
     fn abs_f32(self, a: Self::F32) -> Self::F32;
-    /// The least lane, in every lane; no lane is NaN. Of several negative ones, any.
+    /// The least of the first three lanes, none of them NaN, in each of them. Of several
+    /// negative ones, any.
     fn lowest(self, a: Self::F32) -> Self::F32;
     fn first(self, a: Self::F32) -> f32;
     /// Towards zero; out of range and NaN give some number.
@@ -68,14 +77,16 @@ pub(crate) trait Lanes: Copy {
     fn equal(self, a: Self::F32, b: Self::F32) -> Self::I32;
     /// Lane `order[k]` of `a` in lane k.
     fn permute(self, a: Self::F32, order: &[i32; 4]) -> Self::F32;
-    /// Lane K in every lane.
-    fn spread<const K: i32>(self, a: Self::F32) -> Self::Wide;
+    fn array_f32(self, a: Self::F32) -> [f32; 4];
     /// One bit for each of the first three lanes that is negative, -0 included.
     fn signs(self, a: Self::F32) -> u32;
+    /// Whether no lane is infinite or NaN.
+    fn all_finite(self, a: Self::F32) -> bool;
     /// One bit for each of the first three lanes in which `a == b`.
     fn equals(self, a: Self::F32, b: Self::F32) -> u32;
 
     fn load_i32(self, a: &[i32; 4]) -> Self::I32;
+    fn load_u32(self, a: &[u32; 4]) -> Self::I32;
     fn splat_i32(self, a: i32) -> Self::I32;
     fn load_u16(self, a: &[u16; 4]) -> Self::I32;
     fn array(self, a: Self::I32) -> [i32; 4];
@@ -92,6 +103,13 @@ pub(crate) trait Lanes: Copy {
     /// Whether one of the first three lanes of `a` is greater than that of `b`.
     fn any_greater(self, a: Self::I32, b: Self::I32) -> bool;
 
+    /// The first [`Lanes::WIDE`] words.
+    fn words(self, words: &[u32; 8]) -> Self::Words;
+    /// The bits of each word that are in `mask`, which has no sign, as a number.
+    fn field(self, words: Self::Words, mask: &[u32; 8]) -> Self::Wide;
+    /// Copies the words that `mask` has a bit for to the start of `to`, in their order;
+    /// what follows them there becomes any of `words`' first, or 0.
+    fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]);
     /// Three times the first [`Lanes::WIDE`] numbers, zeros where there are fewer.
     fn thrice(self, numbers: &[u32]) -> [u32; 8];
     /// The first, second and third numbers of `row(0)`, `row(1)` and so on.
@@ -103,10 +121,14 @@ pub(crate) trait Lanes: Copy {
     fn min_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn max_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn abs_wide(self, a: Self::Wide) -> Self::Wide;
+    /// `a * b + c`, rounded once or twice.
+    fn mul_add_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
     /// `a - b * c`, rounded once or twice.
     fn less_product(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
     /// `a * b - c * d`, rounded twice or three times.
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
+    /// One bit for each lane in which `a <= b`.
+    fn at_most(self, a: Self::Wide, b: Self::Wide) -> u32;
     /// One bit for each lane in which `a > b` and `c > b`, or `d < e`, or `f > g`.
     fn misses(
         self,

@@ -5,6 +5,8 @@
 //! thin shell. No result depends on which one runs: lanes only steer the walk,
 //! which is conservative, and sieve triangles, whose hits `triangle` decides.
 
+#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+mod aarch64;
 pub(crate) mod fpenv;
 mod isa;
 mod lanes;
@@ -17,3 +19,4 @@ pub(crate) use isa::{AnyKernel, dispatch};
 pub use isa::{Isa, force_isa, isa};
 pub(crate) use lanes::{Kernel, Lanes};
 pub(crate) use pair::Pair;
+pub(crate) use portable::Portable;

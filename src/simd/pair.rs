@@ -1,9 +1,21 @@
-//! Two `f64` side by side, as every x86-64 has them in one register; what `triangle`
-//! estimates with. Written out, because compilers shuffle arrays of two more
-//! than they compute with them.
+//! Two `f64` side by side, as every x86-64 and AArch64 has them in one register; what
+//! `triangle` estimates with. Written out, because compilers shuffle arrays of two
+//! more than they compute with them.
 //!
 //! # Safety
-//! The intrinsics need SSE2, which the target has.
+//! The intrinsics need SSE2 or NEON, which the target has.
+
+/// Wraps intrinsics; see the module on why they are there.
+#[cfg(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "aarch64", target_feature = "neon")
+))]
+macro_rules! with {
+    ($e:expr) => {
+        // SAFETY: the target has SSE2 or NEON.
+        unsafe { $e }
+    };
+}
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod imp {
@@ -11,14 +23,6 @@ mod imp {
 
     #[derive(Clone, Copy)]
     pub struct Pair(__m128d);
-
-    /// Wraps intrinsics; see the module on why they are there.
-    macro_rules! with {
-        ($e:expr) => {
-            // SAFETY: the target has SSE2.
-            unsafe { $e }
-        };
-    }
 
     impl Pair {
         #[inline(always)]
@@ -64,7 +68,61 @@ mod imp {
     }
 }
 
-#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
+#[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+mod imp {
+    use core::arch::aarch64::*;
+
+    #[derive(Clone, Copy)]
+    pub struct Pair(float64x2_t);
+
+    impl Pair {
+        #[inline(always)]
+        pub fn widen(a: f32, b: f32) -> Self {
+            Self(with!(vcvt_f64_f32(vset_lane_f32::<1>(b, vdup_n_f32(a)))))
+        }
+        #[inline(always)]
+        pub fn splat(a: f64) -> Self {
+            Self(with!(vdupq_n_f64(a)))
+        }
+        #[inline(always)]
+        pub fn add(self, b: Self) -> Self {
+            Self(with!(vaddq_f64(self.0, b.0)))
+        }
+        #[inline(always)]
+        pub fn sub(self, b: Self) -> Self {
+            Self(with!(vsubq_f64(self.0, b.0)))
+        }
+        #[inline(always)]
+        pub fn mul(self, b: Self) -> Self {
+            Self(with!(vmulq_f64(self.0, b.0)))
+        }
+        #[inline(always)]
+        pub fn max(self, b: Self) -> Self {
+            Self(with!(vmaxq_f64(self.0, b.0)))
+        }
+        #[inline(always)]
+        pub fn abs(self) -> Self {
+            Self(with!(vabsq_f64(self.0)))
+        }
+        #[inline(always)]
+        pub fn swap(self) -> Self {
+            Self(with!(vextq_f64::<1>(self.0, self.0)))
+        }
+        #[inline(always)]
+        pub fn first(self) -> f64 {
+            with!(vgetq_lane_f64::<0>(self.0))
+        }
+        #[inline(always)]
+        pub fn second(self) -> f64 {
+            with!(vgetq_lane_f64::<1>(self.0))
+        }
+    }
+}
+
+#[cfg(not(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "aarch64", target_feature = "neon")
+)))]
 mod imp {
     #[derive(Clone, Copy)]
     pub struct Pair(f64, f64);

@@ -36,6 +36,7 @@ impl Lanes for Portable {
     type F32 = [f32; 4];
     type I32 = [i32; 4];
     type Wide = [f32; 4];
+    type Words = [u32; 4];
     const WIDE: usize = 4;
 
     #[inline(always)]
@@ -43,6 +44,12 @@ impl Lanes for Portable {
         kernel.run(self)
     }
 
+    #[inline(always)]
+    fn prefetch<T>(self, _: *const T) {}
+    #[inline(always)]
+    fn array_f32(self, a: [f32; 4]) -> [f32; 4] {
+        a
+    }
     #[inline(always)]
     fn load_f64(self, a: &[f64; 4]) -> [f64; 4] {
         *a
@@ -155,6 +162,10 @@ impl Lanes for Portable {
         core::array::from_fn(|k| if EXACT { fused(a[k], b[k], c[k]) } else { a[k] * b[k] + c[k] })
     }
     #[inline(always)]
+    fn mask_f32(self, a: [f32; 4], mask: [i32; 4]) -> [f32; 4] {
+        map(a, mask, |a, mask| f32::from_bits(a.to_bits() & mask as u32))
+    }
+    #[inline(always)]
     fn minus_f32(self, a: [f32; 4]) -> [f32; 4] {
         a.map(|x| -x)
     }
@@ -172,8 +183,8 @@ impl Lanes for Portable {
         a.map(f32::abs)
     }
     #[inline(always)]
-    fn lowest(self, a: [f32; 4]) -> [f32; 4] {
-        [lesser(lesser(a[0], a[1]), lesser(a[2], a[3])); 4]
+    fn lowest(self, [x, y, z, _]: [f32; 4]) -> [f32; 4] {
+        [lesser(lesser(x, y), z); 4]
     }
     #[inline(always)]
     fn first(self, a: [f32; 4]) -> f32 {
@@ -192,12 +203,12 @@ impl Lanes for Portable {
         order.map(|k| a[k as usize & 3])
     }
     #[inline(always)]
-    fn spread<const K: i32>(self, a: [f32; 4]) -> [f32; 4] {
-        [a[K as usize]; 4]
-    }
-    #[inline(always)]
     fn signs(self, a: [f32; 4]) -> u32 {
         (0..3).map(|k| a[k].to_bits() >> 31 << k).sum()
+    }
+    #[inline(always)]
+    fn all_finite(self, a: [f32; 4]) -> bool {
+        a.iter().all(|x| x.is_finite())
     }
     #[inline(always)]
     fn equals(self, a: [f32; 4], b: [f32; 4]) -> u32 {
@@ -207,6 +218,10 @@ impl Lanes for Portable {
     #[inline(always)]
     fn load_i32(self, a: &[i32; 4]) -> [i32; 4] {
         *a
+    }
+    #[inline(always)]
+    fn load_u32(self, a: &[u32; 4]) -> [i32; 4] {
+        a.map(|x| x as i32)
     }
     #[inline(always)]
     fn splat_i32(self, a: i32) -> [i32; 4] {
@@ -258,6 +273,23 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn words(self, words: &[u32; 8]) -> [u32; 4] {
+        core::array::from_fn(|k| words[k])
+    }
+    #[inline(always)]
+    fn field(self, words: [u32; 4], mask: &[u32; 8]) -> [f32; 4] {
+        core::array::from_fn(|k| (words[k] & mask[k]) as i32 as f32)
+    }
+    #[inline(always)]
+    fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {
+        let mut n = 0;
+        for (k, &word) in words[..4].iter().enumerate() {
+            to[n] = word;
+            n += (mask >> k & 1) as usize;
+        }
+        to[n] = 0;
+    }
+    #[inline(always)]
     fn thrice(self, numbers: &[u32]) -> [u32; 8] {
         let mut thrice = [0; 8];
         for (to, number) in thrice[..4].iter_mut().zip(numbers) {
@@ -297,6 +329,14 @@ impl Lanes for Portable {
     #[inline(always)]
     fn abs_wide(self, a: [f32; 4]) -> [f32; 4] {
         self.abs_f32(a)
+    }
+    #[inline(always)]
+    fn mul_add_wide(self, a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [f32; 4] {
+        core::array::from_fn(|k| a[k] * b[k] + c[k])
+    }
+    #[inline(always)]
+    fn at_most(self, a: [f32; 4], b: [f32; 4]) -> u32 {
+        (0..4).map(|k| u32::from(a[k] <= b[k]) << k).sum()
     }
     #[inline(always)]
     fn less_product(self, a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [f32; 4] {

@@ -3,7 +3,7 @@
 use super::moments::Moments;
 use super::shares::ratio;
 use crate::arena::View;
-use crate::arena::layout::{Grid, LIST_HEAD};
+use crate::arena::layout::{Grid, LIST_HEAD, REF_WORDS};
 
 /// One level of grids, or all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,7 +91,7 @@ impl Level {
         for voxel in first..first + grid.voxels() as usize {
             let (objects, grids) = view.sections().counts(voxel);
             if objects > 0 || grids > 1 {
-                words += LIST_HEAD as u64 + objects + grids;
+                words += LIST_HEAD as u64 + REF_WORDS as u64 * (objects + grids);
             }
             self.object_refs += objects;
             self.grid_refs += grids;

@@ -10,7 +10,7 @@
 //! smallest voxel there can be (2^-79, `build::frame`). So no axis is special, and
 //! nothing is divided by zero.
 
-use crate::arena::layout::EXIT_BITS;
+use crate::arena::layout::{EXIT_BITS, EXIT_MAX};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
@@ -27,8 +27,7 @@ const EXPONENT: u64 = 0x7ff << 52;
 
 /// A ray in lanes x, y, z and an idle one.
 #[derive(Clone, Copy)]
-pub(super) struct Course<'a, L: Lanes> {
-    ray: &'a Ray,
+pub(super) struct Course<L: Lanes> {
     unit: f64,
     /// Origin.
     pub org: L::F64,
@@ -39,68 +38,88 @@ pub(super) struct Course<'a, L: Lanes> {
     pub per_t: f64,
     /// All ones on axes along which the ray descends, else 0.
     pub down: L::I32,
-    /// Where an exit box's word has the reach along the ray.
-    pub shift: L::I32,
+    pub mirror: &'static Mirror,
 }
 
-/// [`Course::down`] for the axes along which a ray descends, a bit each.
-const DOWN: [[i32; 4]; 8] = {
-    let mut down = [[0; 4]; 8];
+/// What follows from the axes along which a ray descends.
+#[derive(Clone, Copy)]
+pub(super) struct Mirror {
+    /// All ones on these axes, else 0.
+    down: [i32; 4],
+    /// Of the words of exit boxes and of boxes, the bounds that the ray comes to first,
+    /// and last; what the idle lane finds does not matter.
+    pub near: Bounds,
+    pub far: Bounds,
+}
+
+/// One bound on each axis.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds {
+    /// Where it begins in a word.
+    pub shift: [u32; 4],
+    /// The bits that it is, for eight words.
+    pub mask: [[u32; 8]; 3],
+    /// What these bits count, negative where the ray descends.
+    pub unit: [f32; 4],
+}
+
+impl Bounds {
+    const NONE: Self = Self { shift: [0; 4], mask: [[0; 8]; 3], unit: [0.0; 4] };
+
+    const fn set(&mut self, axis: usize, down: bool, upper: bool) {
+        let shift = EXIT_BITS * (2 * axis as u32 + upper as u32);
+        self.shift[axis] = shift;
+        self.mask[axis] = [EXIT_MAX << shift; 8];
+        let unit = 1.0 / (1u32 << shift) as f32;
+        self.unit[axis] = if down { -unit } else { unit };
+    }
+}
+
+/// One for each set of axes, a bit each.
+static MIRRORS: [Mirror; 8] = {
+    let mut mirrors = [Mirror { down: [0; 4], near: Bounds::NONE, far: Bounds::NONE }; 8];
     let mut descends = 0;
     while descends < 8 {
-        let mut k = 0;
+        let (mirror, mut k) = (&mut mirrors[descends], 0);
         while k < 3 {
-            down[descends][k] = -(descends as i32 >> k & 1);
+            let down = descends >> k & 1 != 0;
+            mirror.down[k] = -(down as i32);
+            mirror.near.set(k, down, down);
+            mirror.far.set(k, down, !down);
             k += 1;
         }
         descends += 1;
     }
-    down
+    mirrors
 };
 
-/// [`Course::shift`], likewise. What the idle lane finds does not matter.
-const SHIFTS: [[i32; 4]; 8] = {
-    let mut shifts = [[0; 4]; 8];
-    let mut descends = 0;
-    while descends < 8 {
-        let mut k = 0;
-        while k < 3 {
-            shifts[descends][k] = EXIT_BITS as i32 * (2 * k as i32 + 1 + DOWN[descends][k]);
-            k += 1;
-        }
-        descends += 1;
-    }
-    shifts
-};
-
-impl<'a, L: Lanes> Course<'a, L> {
-    /// `org` and `dir` are those of `ray`, with 0 in the idle lane.
+impl<L: Lanes> Course<L> {
+    /// `org` and `dir` have 0 in the idle lane.
     #[inline(always)]
-    pub fn new(l: L, org: L::F32, dir: L::F32, ray: &'a Ray, unit: f64) -> Self {
+    pub fn new(l: L, org: L::F32, dir: L::F32, unit: f64) -> Self {
         let scale = l.splat_f64(unit);
         let d = l.mul_f64(l.widen(dir), scale);
         // A power of two, and 1 over it: every f32 times a unit is a normal f64.
         let power = l.highest3(l.abs_f64(d)).to_bits() & EXPONENT;
         let (per_t, inverse) = (f64::from_bits(power), f64::from_bits((0x7fe << 52) - power));
         let d = l.mul_f64(d, l.splat_f64(inverse));
-        let descends = l.signs(dir) as usize;
+        let mirror = &MIRRORS[l.signs(dir) as usize % MIRRORS.len()];
         let size = l.max_f64(l.abs_f64(d), l.load_f64(&LEAST));
         let dir = l.sign_f64(size, d);
         Self {
-            ray,
             unit,
             org: l.mul_f64(l.widen(org), scale),
             dir,
             speed: l.narrow(l.max_f64(size, l.load_f64(&LEAST_SPEED))),
             per_t,
-            down: l.load_i32(&DOWN[descends]),
-            shift: l.load_i32(&SHIFTS[descends]),
+            down: l.load_i32(&mirror.down),
+            mirror,
         }
     }
 
-    /// Origin and direction as they are, however small.
-    pub fn exact(&self) -> [[f64; 3]; 2] {
+    /// Origin and direction of `ray`, whose course this is, however small.
+    pub fn exact(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let scale = |v: [f32; 3], by: f64| v.map(|x| f64::from(x) * self.unit / by);
-        [scale(self.ray.org, 1.0), scale(self.ray.dir, self.per_t)]
+        [scale(ray.org, 1.0), scale(ray.dir, self.per_t)]
     }
 }

@@ -18,15 +18,17 @@
 //! a hit at t is found in the voxel whose interval contains t, so the walk's end
 //! needs no padding at all.
 
-use super::course::Course;
+use super::course::{Course, Mirror};
 use super::rebase::rebase;
-use crate::arena::layout::Grid;
+use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, EXIT_MAX, Grid};
+use crate::ray::Ray;
 use crate::simd::Lanes;
 
 /// Farthest origin, in voxels, that `f64` walks from directly.
 pub(super) const REACH: f64 = (1u64 << 36) as f64;
 
 /// A ray in a grid's own frame.
+#[derive(Clone, Copy)]
 pub(super) struct Local<L: Lanes> {
     /// Where the ray is at s = 0.
     pub start: L::F32,
@@ -52,10 +54,62 @@ pub(super) struct Local<L: Lanes> {
     pub end: f32,
 }
 
+/// Where the boxes of a list's references are along the ray.
+#[derive(Clone, Copy)]
+pub(super) struct Boxes {
+    /// On each axis a box begins at s = bound near[0] + near[1], with the bits of the
+    /// bound as they are in its word, and ends likewise.
+    pub near: [[f32; 4]; 2],
+    pub far: [[f32; 4]; 2],
+    pub mirror: &'static Mirror,
+    /// The part of the ray in question.
+    pub range: [f32; 2],
+}
+
+impl Boxes {
+    /// None.
+    pub fn nowhere(mirror: &'static Mirror) -> Self {
+        Self { near: [[0.0; 4]; 2], far: [[0.0; 4]; 2], mirror, range: [0.0; 2] }
+    }
+}
+
+/// A step: where the ray leaves an exit box, and the voxel there.
+pub(super) struct Step<L: Lanes> {
+    pub out: f32,
+    pub to: L::I32,
+}
+
 impl<L: Lanes> Local<L> {
+    /// In no grid yet.
+    pub fn nowhere(l: L) -> Self {
+        let (none, zero) = (l.splat_f32(0.0), l.splat_i32(0));
+        Self {
+            start: none,
+            speed: none,
+            pace: none,
+            zero: none,
+            at: zero,
+            last: zero,
+            back: zero,
+            first: 0,
+            nx: 0,
+            plane: 0,
+            base: 0.0,
+            slack: 0.0,
+            end: 0.0,
+        }
+    }
+
     /// The part of the ray in `[t0, t1]`, of tau, that can lie in the grid's box.
     #[inline(always)]
-    pub fn enter(l: L, grid: &Grid, course: &Course<'_, L>, t0: f64, t1: f64) -> Option<Self> {
+    pub fn enter(
+        l: L,
+        grid: &Grid,
+        course: &Course<L>,
+        ray: &Ray,
+        t0: f64,
+        t1: f64,
+    ) -> Option<Self> {
         let records = grid.lanes();
         let inv_cell = l.load_f32(records.inv_cell);
         let counts = l.load_u16(records.n);
@@ -65,7 +119,7 @@ impl<L: Lanes> Local<L> {
         let speed = l.mul_f64(course.dir, wide);
         let (mut low, mut high, mut base, mut slack) = (t0, t1, 0.0, 0.0);
         if l.any_beyond(place, REACH) {
-            let moved = rebase(l, grid, course, t0, t1)?;
+            let moved = rebase(l, grid, &course.exact(ray), t0, t1)?;
             place = l.mul_f64(moved.o, wide);
             (low, high, base, slack) = (moved.s0, moved.s1, moved.base, moved.slack);
         }
@@ -107,11 +161,59 @@ impl<L: Lanes> Local<L> {
 
     /// The number of voxel `at`, which must lie in the grid.
     #[inline(always)]
-    pub fn number(&self, l: L, course: &Course<'_, L>, at: L::I32) -> u32 {
+    pub fn number(&self, l: L, course: &Course<L>, at: L::I32) -> u32 {
         // Where the axis is mirrored !at + n is n - 1 - at.
         let [x, y, z, _] = l.array(l.add(l.xor(at, course.down), self.back)).map(|x| x as u32);
         let rows = z.wrapping_mul(self.plane).wrapping_add(y.wrapping_mul(self.nx));
         rows.wrapping_add(x).wrapping_add(self.first)
+    }
+
+    /// Where the boxes of the references of voxel `at` are; `range` is the part of the
+    /// ray, in s, that is in its exit box `exit`.
+    #[inline(always)]
+    pub fn boxes(&self, l: L, course: &Course<L>, at: L::I32, exit: u32, range: [f32; 2]) -> Boxes {
+        let (near, far) =
+            (reach(l, exit, &course.mirror.near.shift), reach(l, exit, &course.mirror.far.shift));
+        let margin = l.splat_f32(BOX_MARGIN);
+        let low = l.sub_f32(l.to_f32(l.sub(at, near)), margin);
+        let side = l.to_f32(l.add(l.add(near, far), l.splat_i32(1)));
+        let side = l.add_f32(side, l.add_f32(margin, margin));
+        let cell = l.mul_f32(side, l.splat_f32(1.0 / BOX_CELLS as f32));
+        let width = l.mul_f32(cell, self.pace);
+        let start = l.mul_add::<false>(low, self.pace, self.zero);
+        // Cells are counted from the lower end, mirrored or not.
+        let last = l.mul_f32(width, l.splat_f32((BOX_CELLS - 1) as f32));
+        let start = l.add_f32(start, l.mask_f32(last, course.down));
+        let near = l.mul_f32(width, l.load_f32(&course.mirror.near.unit));
+        let far = l.mul_f32(width, l.load_f32(&course.mirror.far.unit));
+        Boxes {
+            near: [l.array_f32(near), l.array_f32(start)],
+            far: [l.array_f32(far), l.array_f32(l.add_f32(start, width))],
+            mirror: course.mirror,
+            range,
+        }
+    }
+
+    /// Leaves the exit box `exit` of voxel `at`. With `EXACT`, which voxels are
+    /// stepped to depends on no instruction set.
+    #[inline(always)]
+    pub fn step<const EXACT: bool>(
+        &self,
+        l: L,
+        course: &Course<L>,
+        at: L::I32,
+        exit: u32,
+    ) -> Step<L> {
+        // The planes behind the box, and where the ray is at the first of them.
+        let behind = l.add(l.add(at, l.splat_i32(1)), reach(l, exit, &course.mirror.far.shift));
+        let leave = l.mul_add::<EXACT>(l.to_f32(behind), self.pace, self.zero);
+        let lowest = l.lowest(leave);
+        // Off the axis of the exit the position says where, inside the box.
+        let exits = l.equal(leave, lowest);
+        let low = l.select(exits, at, behind);
+        let high = l.sub(l.sub(behind, l.splat_i32(1)), exits);
+        let position = l.truncate(l.mul_add::<EXACT>(lowest, self.speed, self.start));
+        Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
     }
 
     /// Where the walk stops if no tau above `limit` is wanted.
@@ -133,6 +235,13 @@ impl<L: Lanes> Local<L> {
     pub fn high(&self, s: f32) -> f64 {
         f64::from(s) + self.base + self.slack
     }
+}
+
+/// How far an exit box reaches beyond its voxel, on the sides that `shifts` are of.
+#[inline(always)]
+fn reach<L: Lanes>(l: L, exit: u32, shifts: &[u32; 4]) -> L::I32 {
+    let word = l.splat_i32(exit as i32);
+    l.and(l.shift_right(word, l.load_u32(shifts)), l.splat_i32(EXIT_MAX as i32))
 }
 
 /// An `f32` greater than `x`, but for infinity.

@@ -5,6 +5,7 @@
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
 //! `profile` what is counted.
 
+mod bounds;
 mod counters;
 mod course;
 mod local;
@@ -12,7 +13,11 @@ mod profile;
 mod query;
 mod rebase;
 mod sieve;
+mod single;
+mod stream;
 mod walk;
 
 pub use counters::Counters;
 pub use profile::{Calls, Profile};
+#[cfg(feature = "capi")]
+pub(crate) use stream::Port;

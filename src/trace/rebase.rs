@@ -8,7 +8,6 @@
 
 use glam::DVec3;
 
-use super::course::Course;
 use super::local::REACH;
 use crate::arena::layout::Grid;
 use crate::simd::Lanes;
@@ -29,17 +28,18 @@ pub(super) struct Moved<L: Lanes> {
     pub slack: f64,
 }
 
-/// Moves an origin that is beyond reach; `None` if the ray misses the box.
+/// Moves an origin that is beyond reach; `None` if the ray misses the box. `exact` is
+/// the ray's origin and direction, [`super::course::Course::exact`].
 #[cold]
 #[inline(never)]
 pub(super) fn rebase<L: Lanes>(
     l: L,
     grid: &Grid,
-    course: &Course<'_, L>,
+    exact: &[[f64; 3]; 2],
     t0: f64,
     t1: f64,
 ) -> Option<Moved<L>> {
-    let [org, dir] = course.exact().map(DVec3::from_array);
+    let [org, dir] = exact.map(DVec3::from_array);
     let lo = DVec3::from_array(grid.lo);
     let cell = DVec3::from_array(grid.cell.map(f64::from));
     let (reach, extent) = (cell * REACH, cell * DVec3::from_array(grid.n.map(f64::from)));

@@ -12,6 +12,7 @@
 //! A fused multiply-add only leaves roundings out. Scenes so large or small that
 //! `f32` products leave their range are not sieved.
 
+use super::counters::Count;
 use crate::arena::{Axis, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
@@ -25,21 +26,28 @@ const TINY: f32 = 1.0 / (1u128 << 100) as f32;
 
 /// A ray made ready for sieving triangles.
 #[derive(Clone, Copy)]
-pub struct Sieve<'a, L: Lanes> {
-    lanes: L,
+pub struct Sieve<'a> {
     /// The triangles along the axes that are x, y, z of the sheared space.
     axes: [Axis<'a>; 3],
-    org: [L::Wide; 3],
-    shear: [L::Wide; 2],
-    error: L::Wide,
-    error_thrice: L::Wide,
+    /// The origin along these axes.
+    org: [f32; 4],
+    /// The change of x and of y with z.
+    slope: [f32; 4],
+    error: f32,
+    error_thrice: f32,
     /// The range of z where t is in range.
-    range: [L::Wide; 2],
+    range: [f32; 2],
     /// Component z of the direction, and that of `tmin`.
     dir: f32,
     start: f32,
     /// Whether the error bound holds.
     pub holds: bool,
+}
+
+/// Triangles to sieve in one go. As many everywhere where tests are counted: a walk may
+/// end with any of them.
+pub(super) const fn chunk<C: Count, L: Lanes>() -> usize {
+    if C::COUNTS { 4 } else { L::WIDE }
 }
 
 /// For each set of axes along which a direction is longest, a bit each: one of
@@ -52,21 +60,21 @@ const ORDER: [[i32; 4]; 8] = {
 /// The range of z, from that of `tmin` to that of `limit`. A corner's z is off by
 /// one rounding, and so are these.
 #[inline(always)]
-fn range<L: Lanes>(l: L, start: f32, dir: f32, limit: f32) -> [L::Wide; 2] {
+fn range(start: f32, dir: f32, limit: f32) -> [f32; 2] {
     let end = limit * dir;
     let (lo, hi) = if dir > 0.0 { (start, end) } else { (end, start) };
     // A t next to zero may have been rounded by up to half the least denormal. Not
     // just that much: processors take long to compute denormals.
     let least = TINY + dir.abs() * TINY;
     let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + least;
-    [l.splat_wide(lo - room(lo)), l.splat_wide(hi + room(hi))]
+    [lo - room(lo), hi + room(hi)]
 }
 
-impl<'a, L: Lanes> Sieve<'a, L> {
+impl<'a> Sieve<'a> {
     /// `org` and `dir` are the ray's, `lo` and `hi` the corners of the scene's box;
     /// fourth lanes mean nothing.
     #[inline(always)]
-    pub fn new(
+    pub fn new<L: Lanes>(
         l: L,
         sections: &Sections<'a>,
         ray: &Ray,
@@ -83,17 +91,16 @@ impl<'a, L: Lanes> Sieve<'a, L> {
         let dir = l.first(l.permute(dir, &[2; 4]));
         let start = ray.tmin * dir;
         Self {
-            lanes: l,
             axes: [
                 sections.axis(order[0] as usize),
                 sections.axis(order[1] as usize),
                 sections.axis(order[2] as usize),
             ],
-            org: [l.spread::<0>(org), l.spread::<1>(org), l.spread::<2>(org)],
-            shear: [l.spread::<0>(slope), l.spread::<1>(slope)],
-            error: l.splat_wide(3.0 * error),
-            error_thrice: l.splat_wide(6.0 * error),
-            range: range(l, start, dir, ray.tmax),
+            org: l.array_f32(org),
+            slope: l.array_f32(slope),
+            error: 3.0 * error,
+            error_thrice: 6.0 * error,
+            range: range(start, dir, ray.tmax),
             dir,
             start,
             holds: (RANGE.start < far) & (far < RANGE.end),
@@ -103,18 +110,18 @@ impl<'a, L: Lanes> Sieve<'a, L> {
     /// Sets the largest t of interest.
     #[inline(always)]
     pub fn limit(&mut self, limit: f32) {
-        self.range = range(self.lanes, self.start, self.dir, limit);
+        self.range = range(self.start, self.dir, limit);
     }
 
     /// One bit for each of at most [`Lanes::WIDE`] triangles, from references, that
     /// the ray may meet in range.
     #[inline(always)]
-    pub fn pass(&self, refs: &[u32]) -> u32 {
+    pub fn pass<L: Lanes>(&self, l: L, refs: &[u32]) -> u32 {
         let all = (1u32 << refs.len()) - 1;
-        if !self.holds {
+        // One alone is decided nearly as soon as it is sieved.
+        if !self.holds | (refs.len() == 1) {
             return all;
         }
-        let l = self.lanes;
         let rows = l.thrice(refs);
         let [x, y, z] = &self.axes;
         let ([xa, xb, xc], [ya, yb, yc], [za, zb, zc]) = (
@@ -123,28 +130,30 @@ impl<'a, L: Lanes> Sieve<'a, L> {
             l.columns(|i| z.row(rows[i])),
         );
         let (a, b, c) =
-            (self.shear([xa, ya, za]), self.shear([xb, yb, zb]), self.shear([xc, yc, zc]));
+            (self.shear(l, [xa, ya, za]), self.shear(l, [xb, yb, zb]), self.shear(l, [xc, yc, zc]));
         let ab = l.cross_wide(a.x, b.y, a.y, b.x);
         let bc = l.cross_wide(b.x, c.y, b.y, c.x);
         let ca = l.cross_wide(c.x, a.y, c.y, a.x);
         let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
-        let error = l.mul_wide(self.error, l.add_wide(size, self.error_thrice));
+        let error =
+            l.mul_wide(l.splat_wide(self.error), l.add_wide(size, l.splat_wide(self.error_thrice)));
         let most = l.max_wide(l.max_wide(ab, bc), ca);
         let least = l.min_wide(l.min_wide(ab, bc), ca);
         let minus_least = l.sub_wide(l.splat_wide(0.0), least);
         let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
         let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
-        let [lo, hi] = self.range;
+        let [lo, hi] = [l.splat_wide(self.range[0]), l.splat_wide(self.range[1])];
         all & !l.misses([most, error], minus_least, [far, lo], [near, hi])
     }
 
     /// Corners of triangles, sheared.
     #[inline(always)]
-    fn shear(&self, [x, y, z]: [L::Wide; 3]) -> Corner<L> {
-        let l = self.lanes;
-        let z = l.sub_wide(z, self.org[2]);
-        let x = l.less_product(l.sub_wide(x, self.org[0]), self.shear[0], z);
-        let y = l.less_product(l.sub_wide(y, self.org[1]), self.shear[1], z);
+    fn shear<L: Lanes>(&self, l: L, [x, y, z]: [L::Wide; 3]) -> Corner<L> {
+        let z = l.sub_wide(z, l.splat_wide(self.org[2]));
+        let x = l.sub_wide(x, l.splat_wide(self.org[0]));
+        let x = l.less_product(x, l.splat_wide(self.slope[0]), z);
+        let y = l.sub_wide(y, l.splat_wide(self.org[1]));
+        let y = l.less_product(y, l.splat_wide(self.slope[1]), z);
         Corner { x, y, z, size: l.add_wide(l.abs_wide(x), l.abs_wide(y)) }
     }
 }

@@ -10,12 +10,13 @@
 //! back, and no list of visited grids is needed. Recursion is as deep as the
 //! levels, at most 16.
 
+use super::bounds::{BATCH, Few, Part};
 use super::counters::Count;
 use super::course::Course;
-use super::local::Local;
+use super::local::{Boxes, Local, Step};
 use super::query::{Query, beyond, visible};
-use super::sieve::Sieve;
-use crate::arena::layout::{EMPTY, EXIT_MAX, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
+use super::sieve::{Sieve, chunk};
+use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
 use crate::ray::{NONE, Ray};
 use crate::simd::{Kernel, Lanes};
@@ -23,6 +24,10 @@ use crate::triangle::Line;
 
 /// Entries of [`Walk::decided`].
 const DECIDED: usize = 8;
+
+/// References up to which a list is sieved as it is: for a ray alone, looking at boxes
+/// first takes longer.
+const SHORT: usize = 16;
 
 /// What came of a voxel.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,19 +45,13 @@ pub(crate) struct Walk<'a, Q, C, L: Lanes> {
     lanes: L,
     sections: Sections<'a>,
     ray: &'a Ray,
-    sieve: Sieve<'a, L>,
-    course: Course<'a, L>,
+    sieve: Sieve<'a>,
+    course: Course<L>,
     /// Triangles that were decided lately, by the low bits of their numbers: what is
     /// in many voxels is decided once.
     decided: [u32; DECIDED],
     pub query: Q,
     counters: &'a mut C,
-}
-
-/// A step: where the ray leaves, and the voxel there.
-struct Step<L: Lanes> {
-    out: f32,
-    to: L::I32,
 }
 
 /// [`Walk::grid`], compiled for the walk's instruction set.
@@ -68,6 +67,22 @@ impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Enter<'_, '_, Q, C, L> {
     #[inline(always)]
     fn run(self, _: L) -> bool {
         self.walk.grid(self.number, self.t0, self.t1)
+    }
+}
+
+/// [`Walk::long`], likewise.
+struct Long<'w, 'a, Q, C, L: Lanes> {
+    walk: &'w mut Walk<'a, Q, C, L>,
+    place: u32,
+    boxes: &'w Boxes,
+    taus: [f64; 2],
+}
+
+impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Long<'_, '_, Q, C, L> {
+    type Out = Met;
+    #[inline(always)]
+    fn run(self, _: L) -> Met {
+        self.walk.long(self.place, self.boxes, self.taus)
     }
 }
 
@@ -98,7 +113,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             sections,
             ray,
             sieve: Sieve::new(l, &sections, ray, [org, dir], [l.load_f32(lo), l.load_f32(hi)]),
-            course: Course::new(l, org, dir, ray, view.header().unit),
+            course: Course::new(l, org, dir, view.header().unit),
             decided: [NONE; DECIDED],
             query,
             counters,
@@ -115,7 +130,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     }
 
     fn limit(&self) -> f64 {
-        self.query.beyond() * self.course.per_t
+        beyond(self.query.limit()) * self.course.per_t
     }
 
     /// Walks a grid where the ray's parameter tau is in `[t0, t1]`; `true` if the
@@ -126,7 +141,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         self.counters.grid();
         let l = self.lanes;
         let grid = self.sections.grid(number);
-        let Some(local) = Local::enter(l, grid, &self.course, t0, t1) else {
+        let Some(local) = Local::enter(l, grid, &self.course, self.ray, t0, t1) else {
             return false;
         };
         let mut at = local.at;
@@ -143,11 +158,18 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 let (exit, refs) =
                     if tag == LIST { self.sections.list(payload) } else { (0, &[][..]) };
                 let step = self.step(&local, at, exit);
-                let met = if tag == LIST && refs.last().is_none_or(|r| r & GRID_BIT == 0) {
+                let short = refs.len() <= SHORT && refs.last().is_none_or(|r| r & GRID_BIT == 0);
+                let met = if tag == LIST && short {
                     self.triangles(refs)
                 } else {
                     let until = if step.out < stop { step.out } else { stop };
-                    let met = self.mixed(tag, payload, refs, local.low(s), local.high(until));
+                    let taus = [local.low(s), local.high(until)];
+                    let met = if tag == LIST {
+                        let boxes = local.boxes(l, &self.course, at, exit, [s, until]);
+                        self.long_apart(payload, &boxes, taus)
+                    } else {
+                        self.below(payload, taus)
+                    };
                     self.counters.level(grid.level);
                     met
                 };
@@ -171,51 +193,53 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         }
     }
 
-    /// Leaves the exit box `exit` of voxel `at`.
-    #[inline(always)]
-    fn step(&self, local: &Local<L>, at: L::I32, exit: u32) -> Step<L> {
-        let l = self.lanes;
-        let most = l.splat_i32(EXIT_MAX as i32);
-        let reach = l.and(l.shift_right(l.splat_i32(exit as i32), self.course.shift), most);
-        // The planes behind the box, and where the ray is at the first of them.
-        let behind = l.add(l.add(at, l.splat_i32(1)), reach);
-        let leave = Self::mul_add(l, l.to_f32(behind), local.pace, local.zero);
-        let lowest = l.lowest(leave);
-        // Off the axis of the exit the position says where, inside the box.
-        let exits = l.equal(leave, lowest);
-        let low = l.select(exits, at, behind);
-        let high = l.sub(l.sub(behind, l.splat_i32(1)), exits);
-        let position = l.truncate(Self::mul_add(l, lowest, local.speed, local.start));
-        Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
-    }
-
     /// Rounded once wherever steps are counted, so that their number depends on
     /// no instruction set.
     #[inline(always)]
-    fn mul_add(l: L, a: L::F32, b: L::F32, c: L::F32) -> L::F32 {
-        if C::COUNTS { l.mul_add::<true>(a, b, c) } else { l.mul_add::<false>(a, b, c) }
+    fn step(&self, local: &Local<L>, at: L::I32, exit: u32) -> Step<L> {
+        if C::COUNTS {
+            local.step::<true>(self.lanes, &self.course, at, exit)
+        } else {
+            local.step::<false>(self.lanes, &self.course, at, exit)
+        }
     }
 
-    /// Meets what a voxel that refers to grids refers to; the ray is in its exit
-    /// box for tau in `[t0, t1]`.
+    /// [`Walk::long`], so that the walk's registers are not spilled elsewhere.
+    #[cold]
+    fn long_apart(&mut self, place: u32, boxes: &Boxes, taus: [f64; 2]) -> Met {
+        self.lanes.run(Long { walk: self, place, boxes, taus })
+    }
+
+    /// Meets what a list refers to that is long, or that refers to grids, by its boxes;
+    /// the ray is in its exit box for tau in `taus`.
     #[inline(always)]
-    fn mixed(&mut self, tag: u32, payload: u32, refs: &[u32], t0: f64, t1: f64) -> Met {
-        if tag != LIST {
-            return self.below(payload, t0, t1);
-        }
-        let triangles = refs.partition_point(|r| r & GRID_BIT == 0);
-        let mut met = self.triangles(&refs[..triangles]);
-        for r in &refs[triangles..] {
-            if met == Met::Enough {
-                break;
+    fn long(&mut self, place: u32, boxes: &Boxes, taus: [f64; 2]) -> Met {
+        let (l, sections) = (self.lanes, self.sections);
+        let len = sections.head(place).1;
+        let mut met = Met::Nothing;
+        let mut few = Few::NONE;
+        let mut at = 0;
+        while at < len && met != Met::Enough {
+            let part = Part::new(place, len, at, len);
+            if C::COUNTS {
+                few.fill::<true, L>(l, &sections, part, boxes);
+            } else {
+                few.fill::<false, L>(l, &sections, part, boxes);
             }
-            met = met.max(self.below(r & !GRID_BIT, t0, t1));
+            let (triangles, grids) = few.split();
+            met = met.max(self.triangles(triangles));
+            for r in grids {
+                if met != Met::Enough {
+                    met = met.max(self.below(r & !GRID_BIT, taus));
+                }
+            }
+            at += BATCH as u32;
         }
         met
     }
 
     #[cold]
-    fn below(&mut self, number: u32, t0: f64, t1: f64) -> Met {
+    fn below(&mut self, number: u32, [t0, t1]: [f64; 2]) -> Met {
         if self.lanes.run(Enter { walk: self, number, t0, t1 }) {
             Met::Enough
         } else {
@@ -226,12 +250,12 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     #[inline(always)]
     fn triangles(&mut self, refs: &[u32]) -> Met {
         let mut met = Met::Nothing;
-        for few in refs.chunks(L::WIDE) {
+        for few in refs.chunks(chunk::<C, L>()) {
             if C::LOOKS {
                 few.iter().for_each(|&r| self.counters.look(self.ray, self.sections.triangle(r)));
             }
             self.counters.tests(few.len());
-            let mut left = self.sieve.pass(few);
+            let mut left = self.sieve.pass(self.lanes, few);
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];
                 left &= left - 1;

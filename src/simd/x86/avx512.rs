@@ -5,52 +5,30 @@
 use core::arch::x86_64::*;
 
 use super::super::lanes::{Kernel, Lanes};
-use super::{eight_lanes, four_lanes, with};
+use super::{eight_lanes, four_lanes, shell, with};
 
-/// Proof that AVX-512 (F, VL, DQ), AVX2 and FMA are there.
-#[derive(Clone, Copy)]
-pub struct Avx512(());
-
-impl Avx512 {
-    /// Asks the processor.
-    pub fn detect() -> Option<Self> {
-        #[cfg(feature = "std")]
-        let there = std::arch::is_x86_feature_detected!("avx512f")
-            && std::arch::is_x86_feature_detected!("avx512vl")
-            && std::arch::is_x86_feature_detected!("avx512dq")
-            && super::Avx2::detect().is_some();
-        #[cfg(not(feature = "std"))]
-        let there = cfg!(all(
-            target_feature = "avx512f",
-            target_feature = "avx512vl",
-            target_feature = "avx512dq"
-        ));
-        there.then_some(Self(()))
-    }
-
-    /// Asks nobody.
-    ///
-    /// # Safety
-    /// [`Avx512::detect`] has succeeded in this process.
-    #[inline(always)]
-    pub unsafe fn detected() -> Self {
-        Self(())
-    }
-}
-
-#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
-fn compiled<K: Kernel<Avx512>>(kernel: K, lanes: Avx512) -> K::Out {
-    kernel.run(lanes)
+shell! {
+    /// Proof that AVX-512 (F, VL, DQ), AVX2, FMA, POPCNT and BMI are there.
+    Avx512: "avx512f", "avx512vl", "avx512dq", "avx2", "fma", "popcnt", "bmi1",
+        "bmi2"
 }
 
 impl Lanes for Avx512 {
     four_lanes!();
-
     eight_lanes!();
 
     #[inline(always)]
-    fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
-        with!(compiled(kernel, self))
+    fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {
+        with!({
+            let words = _mm256_loadu_si256(words.as_ptr().cast());
+            let few = _mm256_maskz_compress_epi32(mask as u8, words);
+            _mm256_storeu_si256(to.as_mut_ptr().cast(), few);
+        });
+    }
+
+    #[inline(always)]
+    fn at_most(self, a: __m256, b: __m256) -> u32 {
+        with!(u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)))
     }
 
     #[inline(always)]

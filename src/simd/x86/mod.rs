@@ -7,9 +7,11 @@
 
 mod avx2;
 mod avx512;
+mod shell;
 
 pub use avx2::Avx2;
 pub use avx512::Avx512;
+use shell::shell;
 
 /// Wraps intrinsics; see the module on why they are there.
 macro_rules! with {
@@ -27,6 +29,20 @@ macro_rules! four_lanes {
         type F32 = __m128;
         type I32 = __m128i;
 
+        #[inline(always)]
+        fn prefetch<T>(self, at: *const T) {
+            with!(_mm_prefetch::<_MM_HINT_T0>(at.cast()))
+        }
+        #[inline(always)]
+        fn array_f32(self, a: __m128) -> [f32; 4] {
+            let mut array = [0.0; 4];
+            with!(_mm_storeu_ps(array.as_mut_ptr(), a));
+            array
+        }
+        #[inline(always)]
+        fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
+            with!(compiled(kernel, self))
+        }
         #[inline(always)]
         fn load_f64(self, a: &[f64; 4]) -> __m256d {
             with!(_mm256_loadu_pd(a.as_ptr()))
@@ -152,6 +168,10 @@ macro_rules! four_lanes {
             with!(_mm_fmadd_ps(a, b, c))
         }
         #[inline(always)]
+        fn mask_f32(self, a: __m128, mask: __m128i) -> __m128 {
+            with!(_mm_and_ps(a, _mm_castsi128_ps(mask)))
+        }
+        #[inline(always)]
         fn minus_f32(self, a: __m128) -> __m128 {
             with!(_mm_xor_ps(_mm_set1_ps(-0.0), a))
         }
@@ -175,9 +195,9 @@ macro_rules! four_lanes {
             // As integers, which takes a quarter of the time.
             with!({
                 let a = _mm_castps_si128(a);
-                let pairs = _mm_min_epi32(a, _mm_shuffle_epi32::<0b10_11_00_01>(a));
-                let all = _mm_min_epi32(pairs, _mm_shuffle_epi32::<0b01_00_11_10>(pairs));
-                _mm_castsi128_ps(all)
+                let xy_z = _mm_min_epi32(a, _mm_shuffle_epi32::<0b10_10_00_01>(a));
+                let xyz = _mm_min_epi32(xy_z, _mm_shuffle_epi32::<0b00_00_10_10>(xy_z));
+                _mm_castsi128_ps(xyz)
             })
         }
         #[inline(always)]
@@ -201,12 +221,24 @@ macro_rules! four_lanes {
             with!(_mm_movemask_ps(a)) as u32 & 7
         }
         #[inline(always)]
+        fn all_finite(self, a: __m128) -> bool {
+            with!({
+                let size = _mm_andnot_ps(_mm_set1_ps(-0.0), a);
+                let finite = _mm_cmplt_ps(size, _mm_set1_ps(f32::INFINITY));
+                _mm_movemask_ps(finite) == 15
+            })
+        }
+        #[inline(always)]
         fn equals(self, a: __m128, b: __m128) -> u32 {
             with!(_mm_movemask_ps(_mm_cmpeq_ps(a, b))) as u32 & 7
         }
 
         #[inline(always)]
         fn load_i32(self, a: &[i32; 4]) -> __m128i {
+            with!(_mm_loadu_si128(a.as_ptr().cast()))
+        }
+        #[inline(always)]
+        fn load_u32(self, a: &[u32; 4]) -> __m128i {
             with!(_mm_loadu_si128(a.as_ptr().cast()))
         }
         #[inline(always)]
@@ -270,8 +302,20 @@ use four_lanes;
 macro_rules! eight_lanes {
     () => {
         type Wide = __m256;
+        type Words = __m256i;
         const WIDE: usize = 8;
 
+        #[inline(always)]
+        fn words(self, words: &[u32; 8]) -> __m256i {
+            with!(_mm256_loadu_si256(words.as_ptr().cast()))
+        }
+        #[inline(always)]
+        fn field(self, words: __m256i, mask: &[u32; 8]) -> __m256 {
+            with!({
+                let mask = _mm256_loadu_si256(mask.as_ptr().cast());
+                _mm256_cvtepi32_ps(_mm256_and_si256(words, mask))
+            })
+        }
         #[inline(always)]
         fn thrice(self, numbers: &[u32]) -> [u32; 8] {
             const MASK: [i32; 16] = [-1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0];
@@ -309,11 +353,6 @@ macro_rules! eight_lanes {
             with!(_mm256_set1_ps(a))
         }
         #[inline(always)]
-        fn spread<const K: i32>(self, a: __m128) -> __m256 {
-            let lane = self.permute(a, &[K; 4]);
-            with!(_mm256_broadcastss_ps(lane))
-        }
-        #[inline(always)]
         fn sub_wide(self, a: __m256, b: __m256) -> __m256 {
             with!(_mm256_sub_ps(a, b))
         }
@@ -336,6 +375,10 @@ macro_rules! eight_lanes {
         #[inline(always)]
         fn abs_wide(self, a: __m256) -> __m256 {
             with!(_mm256_andnot_ps(_mm256_set1_ps(-0.0), a))
+        }
+        #[inline(always)]
+        fn mul_add_wide(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            with!(_mm256_fmadd_ps(a, b, c))
         }
         #[inline(always)]
         fn less_product(self, a: __m256, b: __m256, c: __m256) -> __m256 {

@@ -1,51 +1,11 @@
-/* Start, exit, output and memory functions on x86-64 Linux, without a C library. */
+/* The memory functions that compilers expect, on x86. Elsewhere hug brings them if
+ * Rust's core is built with the feature compiler-builtins-mem (see .ci/targets).
+ *
+ * String instructions, since a compiler may turn a plain loop back into a call of
+ * the very function that the loop is in. */
 #include "freestanding/runtime.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-void runtime_start(void);
-#ifdef __cplusplus
-}
-#endif
-
-/* The kernel enters with the stack pointer aligned to 16, where a C function expects
- * the return address that a call has pushed: hence a call, and no jump. */
-__asm__(".globl _start\n"
-        "_start:\n"
-        "    xor %ebp, %ebp\n"
-        "    and $-16, %rsp\n"
-        "    call runtime_start\n"
-        "    ud2\n");
-
-static long system_call(long number, long a, long b, long c)
-{
-    long result;
-    __asm__ volatile("syscall"
-                     : "=a"(result)
-                     : "a"(number), "D"(a), "S"(b), "d"(c)
-                     : "rcx", "r11", "memory");
-    return result;
-}
-
-void runtime_start(void)
-{
-    enum { SYSTEM_EXIT = 60 };
-    system_call(SYSTEM_EXIT, runtime_main(), 0, 0);
-}
-
-void runtime_write(const char *text)
-{
-    enum { SYSTEM_WRITE = 1, STANDARD_OUTPUT = 1 };
-    size_t length = 0;
-    while (text[length])
-        length++;
-    system_call(SYSTEM_WRITE, STANDARD_OUTPUT, (long)text, (long)length);
-}
-
-/* String instructions, since a compiler may turn a plain loop back into a call of
- * the very function that the loop is in. */
-
+#if defined __x86_64__ || defined __i386__
 void *memcpy(void *to, const void *from, size_t size)
 {
     void *result = to;
@@ -88,3 +48,4 @@ int bcmp(const void *a, const void *b, size_t size)
 {
     return memcmp(a, b, size);
 }
+#endif

@@ -1,0 +1,96 @@
+//! One ray at a time.
+
+use super::counters::{Count, Counters, Uncounted};
+use super::profile::Profile;
+use super::query::{Any, Closest, Query, usable, visible};
+use super::walk::Walk;
+use crate::arena::View;
+use crate::ray::{Hit, Ray};
+use crate::simd::{AnyKernel, Lanes, Portable, dispatch, fpenv};
+use crate::triangle::Line;
+
+/// A query of one ray in a scene that is not empty.
+struct Single<'a, Q, C> {
+    view: &'a View<'a>,
+    ray: &'a Ray,
+    query: Q,
+    counters: &'a mut C,
+}
+
+impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
+    type Out = Q::Out;
+    #[inline(always)]
+    fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
+        if !usable(lanes, self.ray) {
+            return Q::miss(self.ray);
+        }
+        let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
+        walk.run();
+        walk.query.found(&self.view.sections(), self.ray)
+    }
+}
+
+impl View<'_> {
+    /// The closest hit of `ray`, or the record of a miss.
+    #[must_use]
+    #[inline]
+    pub fn intersect(&self, ray: &Ray) -> Hit {
+        self.single::<Closest, _>(ray, &mut Uncounted)
+    }
+
+    /// [`View::intersect`], adding what it did to `counters`.
+    pub fn intersect_counted(&self, ray: &Ray, counters: &mut Counters) -> Hit {
+        self.single::<Closest, _>(ray, counters)
+    }
+
+    /// Whether `ray` hits anything.
+    #[must_use]
+    #[inline]
+    pub fn occluded(&self, ray: &Ray) -> bool {
+        self.single::<Any, _>(ray, &mut Uncounted)
+    }
+
+    /// [`View::occluded`], adding what it did to `counters`.
+    pub fn occluded_counted(&self, ray: &Ray, counters: &mut Counters) -> bool {
+        self.single::<Any, _>(ray, counters)
+    }
+
+    /// [`View::intersect`], adding what it did on each level to `profile`.
+    pub fn intersect_profiled(&self, ray: &Ray, profile: &mut Profile) -> Hit {
+        self.single::<Closest, _>(ray, profile)
+    }
+
+    /// [`View::occluded`], adding what it did on each level to `profile`.
+    pub fn occluded_profiled(&self, ray: &Ray, profile: &mut Profile) -> bool {
+        self.single::<Any, _>(ray, profile)
+    }
+
+    #[inline]
+    pub(super) fn single<Q: Query, C: Count>(&self, ray: &Ray, counters: &mut C) -> Q::Out {
+        fpenv::with_default(|| {
+            if self.header().grids.count == 0 {
+                return Q::miss(ray);
+            }
+            dispatch(Single { view: self, ray, query: Q::new(ray), counters })
+        })
+    }
+
+    /// [`View::intersect`] by testing every triangle: the oracle that the
+    /// structures are compared with. Cost: linear in the triangles.
+    #[must_use]
+    pub fn intersect_brute(&self, ray: &Ray) -> Hit {
+        fpenv::with_default(|| {
+            if !usable(Portable, ray) {
+                return Closest::miss(ray);
+            }
+            let line = Line::new(ray);
+            let mut query = Closest::new(ray);
+            for (number, triangle) in (0..).zip(self.triangles()) {
+                if visible(ray, triangle) {
+                    query.meet(&line, triangle, number);
+                }
+            }
+            query.found(&self.sections(), ray)
+        })
+    }
+}
