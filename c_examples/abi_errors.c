@@ -14,6 +14,7 @@ int main(void)
     check_rebuild();
     check_open();
     check_queries();
+    check_streams();
     check_statistics();
     check_distributions();
     check_profiles();

@@ -1330,6 +1330,37 @@ int32_t hug_intersect_profiled(const hug_scene *scene,
  */
 int32_t hug_occluded_profiled(const hug_scene *scene, const hug_ray *ray, hug_profile *profile);
 
+/**
+ * hug_intersect_n that also adds what it did on each level to *profile: the sum of
+ * what hug_intersect_profiled counts for each ray. With profile NULL: as
+ * hug_intersect_n, and nothing is counted.
+ *
+ * # Safety
+ * As hug_intersect_n; profile is valid or NULL.
+ */
+void hug_intersect_n_profiled(const hug_scene *scene,
+                              const hug_ray *rays,
+                              size_t ray_stride,
+                              hug_hit *hits,
+                              size_t hit_stride,
+                              size_t n,
+                              hug_profile *profile);
+
+/**
+ * hug_occluded_n that also adds what it did on each level to *profile: the sum of
+ * what hug_occluded_profiled counts for each ray. With profile NULL: as
+ * hug_occluded_n, and nothing is counted.
+ *
+ * # Safety
+ * As hug_occluded_n; profile is valid or NULL.
+ */
+void hug_occluded_n_profiled(const hug_scene *scene,
+                             const hug_ray *rays,
+                             size_t ray_stride,
+                             uint8_t *occluded,
+                             size_t n,
+                             hug_profile *profile);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus

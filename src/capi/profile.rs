@@ -3,6 +3,7 @@
 
 use super::build::hug_scene;
 use super::query::{hug_intersect, hug_occluded, read, view};
+use super::stream::{self, hug_intersect_n, hug_occluded_n};
 use super::types::{HUG_MAX_LEVELS, hug_hit, hug_ray};
 use crate::{Calls, Hit, Profile};
 
@@ -109,5 +110,60 @@ pub unsafe extern "C" fn hug_occluded_profiled(
         let hit = view(scene).occluded_profiled(&read(ray), &mut seen);
         add_levels(profile, &seen);
         i32::from(hit)
+    }
+}
+
+/// hug_intersect_n that also adds what it did on each level to *profile: the sum of
+/// what hug_intersect_profiled counts for each ray. With profile NULL: as
+/// hug_intersect_n, and nothing is counted.
+///
+/// # Safety
+/// As hug_intersect_n; profile is valid or NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hug_intersect_n_profiled(
+    scene: *const hug_scene,
+    rays: *const hug_ray,
+    ray_stride: usize,
+    hits: *mut hug_hit,
+    hit_stride: usize,
+    n: usize,
+    profile: *mut hug_profile,
+) {
+    if profile.is_null() {
+        // SAFETY: the same contract.
+        return unsafe { hug_intersect_n(scene, rays, ray_stride, hits, hit_stride, n) };
+    }
+    let mut seen = Profile::default();
+    // SAFETY: the same contract; profile is valid.
+    unsafe {
+        stream::intersect(scene, (rays, ray_stride), (hits, hit_stride), n, &mut seen);
+        add_levels(profile, &seen);
+    }
+}
+
+/// hug_occluded_n that also adds what it did on each level to *profile: the sum of
+/// what hug_occluded_profiled counts for each ray. With profile NULL: as
+/// hug_occluded_n, and nothing is counted.
+///
+/// # Safety
+/// As hug_occluded_n; profile is valid or NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn hug_occluded_n_profiled(
+    scene: *const hug_scene,
+    rays: *const hug_ray,
+    ray_stride: usize,
+    occluded: *mut u8,
+    n: usize,
+    profile: *mut hug_profile,
+) {
+    if profile.is_null() {
+        // SAFETY: the same contract.
+        return unsafe { hug_occluded_n(scene, rays, ray_stride, occluded, n) };
+    }
+    let mut seen = Profile::default();
+    // SAFETY: the same contract; profile is valid.
+    unsafe {
+        stream::occluded(scene, (rays, ray_stride), occluded, n, &mut seen);
+        add_levels(profile, &seen);
     }
 }

@@ -18,13 +18,16 @@ pub struct Counters {
 }
 
 /// Counts events, or compiles to nothing.
-pub(crate) trait Count {
+pub(crate) trait Count: Copy {
     /// Whether it counts.
     const COUNTS: bool = true;
     /// Whether it wants to look at every triangle that is tested.
     const LOOKS: bool = false;
+    /// A level, as what comes back to it keeps it: nothing, if levels are not told apart.
+    type Level: Copy + Default;
+    fn of(level: u8) -> Self::Level;
     /// What follows happens on this level, until told otherwise.
-    fn level(&mut self, _: u8) {}
+    fn level(&mut self, _: Self::Level) {}
     fn grid(&mut self) {}
     fn voxel(&mut self) {}
     fn tests(&mut self, _: usize) {}
@@ -33,13 +36,18 @@ pub(crate) trait Count {
 }
 
 /// Counts nothing.
+#[derive(Clone, Copy)]
 pub(crate) struct Uncounted;
 
 impl Count for Uncounted {
     const COUNTS: bool = false;
+    type Level = ();
+    fn of(_: u8) {}
 }
 
 impl Count for Counters {
+    type Level = ();
+    fn of(_: u8) {}
     fn grid(&mut self) {
         self.grids += 1;
     }

@@ -18,6 +18,8 @@ mod stream;
 mod walk;
 
 pub use counters::Counters;
+#[cfg(feature = "capi")]
+pub(crate) use counters::{Count, Uncounted};
 pub use profile::{Calls, Profile};
 #[cfg(feature = "capi")]
 pub(crate) use stream::Port;

@@ -95,6 +95,10 @@ impl Profile {
 
 impl Count for Profile {
     const LOOKS: bool = true;
+    type Level = u8;
+    fn of(level: u8) -> u8 {
+        level
+    }
     fn level(&mut self, level: u8) {
         self.now = level;
     }

@@ -137,7 +137,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     /// query wants no more.
     #[inline(always)]
     fn grid(&mut self, number: u32, t0: f64, t1: f64) -> bool {
-        self.counters.level(self.sections.grid(number).level);
+        self.counters.level(C::of(self.sections.grid(number).level));
         self.counters.grid();
         let l = self.lanes;
         let grid = self.sections.grid(number);
@@ -170,7 +170,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                     } else {
                         self.below(payload, taus)
                     };
-                    self.counters.level(grid.level);
+                    self.counters.level(C::of(grid.level));
                     met
                 };
                 match met {
