@@ -207,8 +207,8 @@ impl Options {
             return *self;
         }
         let (world_alpha, alpha, maxp) = match self.quality {
-            _ if self.compact => (0.4, 0.5, 512),
-            Quality::Fast => (0.5, self.alpha, 256),
+            _ if self.compact => (0.4, 0.4, 768),
+            Quality::Fast => (0.4, 0.5, 512),
             Quality::Default => (0.8, self.alpha, 128),
             Quality::High => (1.26, self.alpha, 64),
         };

@@ -56,6 +56,8 @@ int embree_build(embree_side *e)
                                s->vertices, 0, 3 * sizeof(float), s->vertex_count);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, s->indices,
                                0, 3 * sizeof(uint32_t), s->triangle_count);
+    /* A scene of low quality leaves the builder to its geometries. */
+    rtcSetGeometryBuildQuality(geometry, e->kind->quality);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(e->built, geometry, 0);
     rtcReleaseGeometry(geometry);

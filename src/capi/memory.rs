@@ -24,10 +24,9 @@ struct Prefix {
     /// The scratch memory that is kept for [`super::hug_rebuild`], or NULL.
     scratch: *mut u8,
     scratch_size: usize,
-    scratch_align: usize,
 }
 
-const _: () = assert!(size_of::<Prefix>() == ALIGN);
+const _: () = assert!(size_of::<Prefix>() <= ALIGN);
 
 impl Allocator {
     /// The descriptor's allocator; both functions or none.
@@ -41,64 +40,83 @@ impl Allocator {
         Ok(Self { alloc: desc.alloc, free: desc.free, user: desc.user })
     }
 
-    /// `size` zeroed or unspecified bytes, aligned to `align`.
-    fn get(&self, size: usize, align: usize) -> Result<*mut u8, Error> {
+    /// `size` zeroed or unspecified bytes, aligned to 64.
+    fn get(&self, size: usize) -> Result<*mut u8, Error> {
         let memory = match self.alloc {
             // SAFETY: the caller's function, called as documented.
-            Some(alloc) => unsafe { alloc(size, align, self.user) }.cast(),
-            None => default_alloc(size, align)?,
+            Some(alloc) => unsafe { alloc(size, ALIGN, self.user) }.cast(),
+            None => default_alloc(size)?,
         };
         if memory.is_null() {
             return Err(Error::OutOfMemory);
         }
-        if !(memory as usize).is_multiple_of(align) {
+        if !(memory as usize).is_multiple_of(ALIGN) {
             // SAFETY: it came from `alloc` just now.
-            unsafe { self.put(memory, size, align) };
+            unsafe { self.put(memory, size) };
             return Err(Error::Alignment);
         }
         Ok(memory)
     }
 
     /// # Safety
-    /// `memory` came from [`Allocator::get`] with this size and alignment.
-    unsafe fn put(&self, memory: *mut u8, size: usize, align: usize) {
+    /// `memory` came from [`Allocator::get`] with this size.
+    unsafe fn put(&self, memory: *mut u8, size: usize) {
         match self.free {
             // SAFETY: the caller's function, called as documented.
             Some(free) => unsafe { free(memory.cast(), size, self.user) },
             // SAFETY: by the caller.
-            None => unsafe { default_free(memory, size, align) },
+            None => unsafe { default_free(memory, size) },
         }
     }
 }
 
+/// The default allocator is asked for the alignment of a word only, and for room to
+/// align: for more it would clear memory that is zero already.
 #[cfg(feature = "alloc")]
-fn layout(size: usize, align: usize) -> Result<core::alloc::Layout, Error> {
-    core::alloc::Layout::from_size_align(size, align).map_err(|_| Error::Overflow)
+fn layout(size: usize) -> Result<core::alloc::Layout, Error> {
+    let size = size.checked_add(ALIGN).ok_or(Error::Overflow)?;
+    core::alloc::Layout::from_size_align(size, align_of::<usize>()).map_err(|_| Error::Overflow)
 }
 
 /// Zeroed, so that pages which a bound asks for and the build does not touch
-/// are never made resident.
+/// are never made resident; aligned to 64.
 #[cfg(feature = "alloc")]
-fn default_alloc(size: usize, align: usize) -> Result<*mut u8, Error> {
-    // SAFETY: sizes here are at least 64.
-    Ok(unsafe { alloc::alloc::alloc_zeroed(layout(size, align)?) })
+fn default_alloc(size: usize) -> Result<*mut u8, Error> {
+    // SAFETY: the size is not 0.
+    let memory = unsafe { alloc::alloc::alloc_zeroed(layout(size)?) };
+    if memory.is_null() {
+        return Ok(memory);
+    }
+    // From a word to 64 bytes, the word before the block says how many.
+    let skip = ALIGN - memory as usize % ALIGN;
+    // SAFETY: there is room for 64 bytes more, and a word before an aligned address.
+    unsafe {
+        let block = memory.add(skip);
+        block.cast::<usize>().sub(1).write(skip);
+        Ok(block)
+    }
 }
 
+/// # Safety
+/// `memory` came from [`default_alloc`] with this size.
 #[cfg(feature = "alloc")]
-unsafe fn default_free(memory: *mut u8, size: usize, align: usize) {
-    if let Ok(layout) = layout(size, align) {
+unsafe fn default_free(memory: *mut u8, size: usize) {
+    if let Ok(layout) = layout(size) {
         // SAFETY: by the caller; the layout is the one it was made with.
-        unsafe { alloc::alloc::dealloc(memory, layout) };
+        unsafe {
+            let skip = memory.cast::<usize>().sub(1).read();
+            alloc::alloc::dealloc(memory.sub(skip), layout);
+        }
     }
 }
 
 #[cfg(not(feature = "alloc"))]
-fn default_alloc(_: usize, _: usize) -> Result<*mut u8, Error> {
+fn default_alloc(_: usize) -> Result<*mut u8, Error> {
     Err(Error::Null)
 }
 
 #[cfg(not(feature = "alloc"))]
-unsafe fn default_free(_: *mut u8, _: usize, _: usize) {}
+unsafe fn default_free(_: *mut u8, _: usize) {}
 
 /// An allocated block, freed when dropped unless it becomes a scene.
 pub struct Block {
@@ -107,31 +125,26 @@ pub struct Block {
     size: usize,
     /// Bytes before the usable part.
     head: usize,
-    align: usize,
 }
 
 impl Block {
     pub fn scratch(allocator: &Allocator, size: usize) -> Result<Self, Error> {
-        // Allocators hand out zeroed pages as they are only where no more than
-        // their own alignment is asked for, and a build aligns its scratch itself.
-        Self::new(allocator, size.max(ALIGN), 0, align_of::<usize>())
+        Self::new(allocator, size.max(ALIGN), 0)
     }
 
     /// Room for an arena, behind a prefix.
     pub fn scene(allocator: &Allocator, size: usize) -> Result<Self, Error> {
-        Self::new(allocator, size.checked_add(ALIGN).ok_or(Error::Overflow)?, ALIGN, ALIGN)
+        Self::new(allocator, size.checked_add(ALIGN).ok_or(Error::Overflow)?, ALIGN)
     }
 
-    fn new(allocator: &Allocator, size: usize, head: usize, align: usize) -> Result<Self, Error> {
-        // The caller's functions are always asked for the same.
-        let align = if allocator.alloc.is_some() { ALIGN } else { align };
-        let memory = allocator.get(size, align)?;
+    fn new(allocator: &Allocator, size: usize, head: usize) -> Result<Self, Error> {
+        let memory = allocator.get(size)?;
         if allocator.alloc.is_some() {
             // SAFETY: `size` bytes from the caller's allocator; a byte must not
             // be uninitialised before Rust may look at it.
             unsafe { memory.write_bytes(0, size) };
         }
-        Ok(Self { allocator: *allocator, memory, size, head, align })
+        Ok(Self { allocator: *allocator, memory, size, head })
     }
 
     /// Where the block came from.
@@ -148,11 +161,11 @@ impl Block {
 
     /// Gives the block away as a scene handle, with scratch memory to keep.
     pub fn into_scene(self, kept: Option<Self>) -> *mut hug_scene {
-        let (scratch, scratch_size, scratch_align) =
-            kept.as_ref().map_or((core::ptr::null_mut(), 0, 0), |s| (s.memory, s.size, s.align));
+        let (scratch, scratch_size) =
+            kept.as_ref().map_or((core::ptr::null_mut(), 0), |s| (s.memory, s.size));
         core::mem::forget(kept);
         let Self { allocator, size, .. } = self;
-        let prefix = Prefix { allocator, size, scratch, scratch_size, scratch_align };
+        let prefix = Prefix { allocator, size, scratch, scratch_size };
         // SAFETY: the block starts with room for the prefix, aligned to 64.
         let scene = unsafe {
             self.memory.cast::<Prefix>().write(prefix);
@@ -172,10 +185,9 @@ impl Block {
             let memory = scene.cast::<u8>().sub(ALIGN);
             (memory, memory.cast::<Prefix>().read())
         };
-        let Prefix { allocator, size, scratch, scratch_size, scratch_align } = prefix;
-        let kept =
-            Self { allocator, memory: scratch, size: scratch_size, head: 0, align: scratch_align };
-        let block = Self { allocator, memory, size, head: ALIGN, align: ALIGN };
+        let Prefix { allocator, size, scratch, scratch_size } = prefix;
+        let kept = Self { allocator, memory: scratch, size: scratch_size, head: 0 };
+        let block = Self { allocator, memory, size, head: ALIGN };
         if scratch.is_null() {
             core::mem::forget(kept);
             return (block, None);
@@ -194,6 +206,6 @@ impl Block {
 impl Drop for Block {
     fn drop(&mut self) {
         // SAFETY: owned, with the size it was allocated with.
-        unsafe { self.allocator.put(self.memory, self.size, self.align) };
+        unsafe { self.allocator.put(self.memory, self.size) };
     }
 }

@@ -9,7 +9,8 @@
 //! idle, however different the rays are.
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
-//! defines, and the counters of counted and profiled streams too: each ray takes the same steps.
+//! defines, and the numbers of counted and profiled streams too: each ray takes the
+//! same steps.
 
 mod phases;
 mod queues;
@@ -26,7 +27,7 @@ use queues::{Phase, Queues, SLOTS};
 use slot::{Frame, Slot};
 
 /// Grids above their own in which all rays in flight can be together.
-const FRAMES: usize = 4 * SLOTS;
+const FRAMES: usize = 2 * SLOTS;
 
 /// Rays that are sooner answered one by one.
 const FEW: usize = 8;
@@ -58,8 +59,8 @@ struct Stream<'a, 'p, Q: Query, C: Count, L: Lanes> {
     n: usize,
     flying: usize,
     queues: Queues,
-    slots: [Slot<'a, Q, C, L>; SLOTS],
-    frames: [Frame<C, L>; FRAMES],
+    slots: &'p mut [Slot<'a, Q, C, L>; SLOTS],
+    frames: &'p mut [Frame<C, L>; FRAMES],
     /// Frames of each slot.
     depth: usize,
 }
@@ -70,42 +71,13 @@ macro_rules! turn {
     ($stream:ident, $phase:ident, $method:ident $(, $frames:ident)?) => {
         for i in 0..$stream.queues.take(Phase::$phase) {
             let slot = $stream.queues.taken(Phase::$phase, i);
-            let phase = $stream.slots[slot].$method(&mut $stream.with $(, frames(&mut $stream.$frames, $stream.depth, slot))?);
+            let phase = $stream.slots[slot].$method(&mut $stream.with $(, frames($stream.$frames, $stream.depth, slot))?);
             $stream.queues.push(phase, slot);
         }
     };
 }
 
 impl<'a, 'p, Q: Query, C: Count, L: Lanes> Stream<'a, 'p, Q, C, L> {
-    #[inline(always)]
-    fn new(
-        lanes: L,
-        view: &'a View<'a>,
-        port: &'p mut dyn Port<Q::Out>,
-        n: usize,
-        counters: &'p mut C,
-    ) -> Self {
-        let depth = (view.header().levels as usize).saturating_sub(1);
-        let flying = (FRAMES / depth.max(1)).min(SLOTS);
-        let idle = Slot::new(lanes, view, Ray::new([0.0; 3], [0.0, 0.0, 1.0]), 0);
-        let mut queues = Queues::EMPTY;
-        for slot in 0..flying {
-            queues.push(Phase::Done, slot);
-        }
-        Self {
-            view,
-            with: Common { lanes, sections: view.sections(), counters },
-            port,
-            next: 0,
-            n,
-            flying,
-            queues,
-            slots: [idle; SLOTS],
-            frames: [Frame::unused(lanes); FRAMES],
-            depth,
-        }
-    }
-
     /// Puts the next ray in a slot, if there is one left.
     #[inline(always)]
     fn load(&mut self, slot: usize) {
@@ -159,7 +131,28 @@ impl<Q: Query, C: Count> AnyKernel for Run<'_, '_, Q, C> {
     type Out = ();
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
-        Stream::<Q, C, L>::new(lanes, self.view, self.port, self.n, self.counters).run();
+        let Self { view, port, n, counters } = self;
+        let depth = (view.header().levels as usize).saturating_sub(1);
+        let flying = (FRAMES / depth.max(1)).min(SLOTS);
+        let mut queues = Queues::EMPTY;
+        for slot in 0..flying {
+            queues.push(Phase::Done, slot);
+        }
+        let idle = Slot::<Q, C, L>::new(lanes, view, Ray::new([0.0; 3], [0.0, 0.0, 1.0]), 0);
+        Stream {
+            view,
+            with: Common { lanes, sections: view.sections(), counters },
+            port,
+            next: 0,
+            n,
+            flying,
+            queues,
+            // Here and not in a function, which might copy them.
+            slots: &mut [idle; SLOTS],
+            frames: &mut [Frame::unused(lanes); FRAMES],
+            depth,
+        }
+        .run();
     }
 }
 
