@@ -1,13 +1,11 @@
 //! How long builds take: every structure on the built-in scenes, and on the smaller files of the
 //! folder that `HUG_SCENES` names. `HUG_BENCH_SCENES` names other scenes, with commas.
 
-mod common;
-
-use common::cpu_time::CpuTime;
-use common::kind::Kind;
-use common::load::{self, Loaded};
-use common::{args, machine, named};
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput};
+use hug_bench::cpu_time::CpuTime;
+use hug_bench::kind::Kind;
+use hug_bench::load::{self, Loaded};
+use hug_bench::{args, machine, named};
 use std::process::ExitCode;
 use std::time::Duration;
 

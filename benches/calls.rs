@@ -1,20 +1,21 @@
 //! What a call costs when there is nothing to traverse: through the Rust interface, and through
 //! the C interface as C calls it. Nanoseconds.
 
+#[path = "calls/abi.rs"]
+mod abi;
 #[path = "calls/cases.rs"]
 mod cases;
-mod common;
 
+use abi::Handle;
 use cases::Case;
 use clap::Parser;
-use common::abi::Handle;
-use common::args::{self, Cargo};
-use common::figures::Spread;
-use common::kind::Kind;
-use common::rounds::{self, Contender};
-use common::table::Table;
-use common::{clock, machine};
 use hug::Hit;
+use hug_bench::args::{self, Cargo};
+use hug_bench::figures::Spread;
+use hug_bench::kind::Kind;
+use hug_bench::rounds::{self, Contender};
+use hug_bench::table::Table;
+use hug_bench::{clock, machine};
 use std::hint::black_box;
 use std::process::ExitCode;
 

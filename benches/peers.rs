@@ -3,7 +3,6 @@
 
 #[path = "peers/builds.rs"]
 mod builds;
-mod common;
 #[path = "peers/contest.rs"]
 mod contest;
 #[path = "peers/differences.rs"]
@@ -14,11 +13,11 @@ mod peer;
 mod report;
 
 use clap::{Parser, ValueEnum};
-use common::args::{self, Cargo};
-use common::kind::Kind;
-use common::load::{self, Loaded};
-use common::machine;
-use common::ray_sets::{RaySets, Set};
+use hug_bench::args::{self, Cargo};
+use hug_bench::kind::Kind;
+use hug_bench::load::{self, Loaded};
+use hug_bench::machine;
+use hug_bench::ray_sets::{RaySets, Set};
 use peer::Builder;
 use std::process::ExitCode;
 

@@ -2,16 +2,17 @@
 //! on every ray set, in every structure, on every instruction set of this processor.
 //! `HUG_BENCH_SCENES` names other scenes than the kitchen, with commas.
 
-mod common;
+#[path = "calls/abi.rs"]
+mod abi;
 
-use common::abi::Handle;
-use common::cpu_time::CpuTime;
-use common::kind::Kind;
-use common::load::Loaded;
-use common::ray_sets::{RaySets, Set};
-use common::{args, instructions, machine, named};
+use abi::Handle;
 use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput};
 use hug::{Hit, Ray, Scene};
+use hug_bench::cpu_time::CpuTime;
+use hug_bench::kind::Kind;
+use hug_bench::load::Loaded;
+use hug_bench::ray_sets::{RaySets, Set};
+use hug_bench::{args, instructions, machine, named};
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Duration;

@@ -1,17 +1,16 @@
 //! How build time, memory, work and time a ray grow with the number of triangles, on triangles
 //! that lie on a surface, everywhere, and in clumps; and the powers that fit.
 
-mod common;
 #[path = "scaling/measure.rs"]
 mod measure;
 #[path = "scaling/report.rs"]
 mod report;
 
 use clap::{Parser, ValueEnum};
-use common::args::{self, Cargo};
-use common::kind::Kind;
-use common::load::Loaded;
-use common::machine;
+use hug_bench::args::{self, Cargo};
+use hug_bench::kind::Kind;
+use hug_bench::load::Loaded;
+use hug_bench::machine;
 use measure::Point;
 use std::process::ExitCode;
 

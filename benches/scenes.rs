@@ -7,8 +7,8 @@ mod figures;
 #[path = "scenes/print.rs"]
 mod print;
 
-use figures::lengths::Lengths;
-use figures::{kitchen, length_checks, paper, table_checks};
+use figures::{kitchen, length_checks, table_checks};
+use hug_bench::paper;
 use hug_kit::scenes;
 use std::process::ExitCode;
 
@@ -17,7 +17,7 @@ fn main() -> ExitCode {
     print::lengths_head();
     for (name, paper) in paper::FIGURE_4 {
         let scene = scenes::generate(name).expect("a scene of this name");
-        let ours = Lengths::of(&scene.mesh);
+        let ours = figures::lengths(&scene.mesh).expect("the scene builds");
         print::lengths(name, &ours, &paper);
         checks.extend(length_checks(name, &ours, &paper));
     }

@@ -14,7 +14,10 @@ int main(void)
     check_rebuild();
     check_open();
     check_queries();
+    check_streams();
     check_statistics();
+    check_distributions();
+    check_profiles();
     printf("abi_errors: %u expectations, %u failed\n", check_count(), check_failures());
     return check_failures() ? 1 : 0;
 }

@@ -23,6 +23,11 @@ ALIGNMENT_PROBE(hug_ray_soa);
 ALIGNMENT_PROBE(hug_hit_soa);
 ALIGNMENT_PROBE(hug_level_stats);
 ALIGNMENT_PROBE(hug_scene_stats);
+ALIGNMENT_PROBE(hug_level_shares);
+ALIGNMENT_PROBE(hug_voxel_histogram);
+ALIGNMENT_PROBE(hug_scene_lengths);
+ALIGNMENT_PROBE(hug_calls);
+ALIGNMENT_PROBE(hug_profile);
 
 #define STRUCT(type)                                          \
     printf("%s %u %u\n", #type, (unsigned)sizeof(type),       \
@@ -175,6 +180,72 @@ static void print_scene_stats(void)
     FIELD(hug_scene_stats, ref_bytes);
     FIELD(hug_scene_stats, total);
     FIELD(hug_scene_stats, level);
+    FIELD(hug_scene_stats, total_share);
+    FIELD(hug_scene_stats, level_share);
+}
+
+static void print_level_shares(void)
+{
+    STRUCT(hug_level_shares);
+    FIELD(hug_level_shares, objects);
+    FIELD(hug_level_shares, objects_of_levels);
+    FIELD(hug_level_shares, grids);
+    FIELD(hug_level_shares, voxels);
+    FIELD(hug_level_shares, pointers);
+    FIELD(hug_level_shares, volume);
+    FIELD(hug_level_shares, bytes);
+    FIELD(hug_level_shares, object_voxels);
+    FIELD(hug_level_shares, grid_voxels);
+    FIELD(hug_level_shares, objects_per_grid);
+    FIELD(hug_level_shares, objects_per_grid_printed);
+    FIELD(hug_level_shares, distinct_per_voxel);
+    FIELD(hug_level_shares, distinct_per_filled_voxel);
+}
+
+static void print_voxel_histogram(void)
+{
+    STRUCT(hug_voxel_histogram);
+    FIELD(hug_voxel_histogram, struct_size);
+    FIELD(hug_voxel_histogram, level);
+    FIELD(hug_voxel_histogram, reserved);
+    FIELD(hug_voxel_histogram, capacity);
+    FIELD(hug_voxel_histogram, counts);
+    FIELD(hug_voxel_histogram, cumulated);
+    FIELD(hug_voxel_histogram, voxels);
+    FIELD(hug_voxel_histogram, most);
+}
+
+static void print_scene_lengths(void)
+{
+    STRUCT(hug_scene_lengths);
+    FIELD(hug_scene_lengths, struct_size);
+    FIELD(hug_scene_lengths, capacity);
+    FIELD(hug_scene_lengths, counts);
+    FIELD(hug_scene_lengths, cumulated);
+    FIELD(hug_scene_lengths, share);
+    FIELD(hug_scene_lengths, triangles);
+    FIELD(hug_scene_lengths, min);
+    FIELD(hug_scene_lengths, max);
+    FIELD(hug_scene_lengths, diagonal);
+    FIELD(hug_scene_lengths, below_fifth);
+}
+
+static void print_calls(void)
+{
+    STRUCT(hug_calls);
+    FIELD(hug_calls, grids);
+    FIELD(hug_calls, voxels);
+    FIELD(hug_calls, tests);
+    FIELD(hug_calls, hits);
+    FIELD(hug_calls, passed_1);
+    FIELD(hug_calls, passed_2);
+}
+
+static void print_profile(void)
+{
+    STRUCT(hug_profile);
+    FIELD(hug_profile, total);
+    FIELD(hug_profile, level);
 }
 
 int main(void)
@@ -188,5 +259,10 @@ int main(void)
     print_hit_soa();
     print_level_stats();
     print_scene_stats();
+    print_level_shares();
+    print_voxel_histogram();
+    print_scene_lengths();
+    print_calls();
+    print_profile();
     return 0;
 }

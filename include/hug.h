@@ -54,6 +54,11 @@
 #define HUG_MAX_LEVELS 16
 
 /**
+ * hug_voxel_histogram.level: the voxels of all levels.
+ */
+#define HUG_ALL_LEVELS 4294967295
+
+/**
  * A built or opened scene. A pointer to one points at its arena's first byte.
  */
 typedef struct hug_scene hug_scene;
@@ -542,7 +547,68 @@ typedef struct {
 } hug_level_stats;
 
 /**
- * What a scene is made of. Set struct_size before the call.
+ * Section 3's percentages of one level of grids, or of all.
+ */
+typedef struct {
+  /**
+   * %obj by its definition: of the scene's triangles, those that the level
+   * refers to. Sums to more than 100 where levels share triangles.
+   */
+  double objects;
+  /**
+   * %obj as the paper's tables print it: of the sum of the levels' triangles.
+   */
+  double objects_of_levels;
+  /**
+   * %grids.
+   */
+  double grids;
+  /**
+   * %voxels.
+   */
+  double voxels;
+  /**
+   * %ptrs.
+   */
+  double pointers;
+  /**
+   * %vol: of the largest grid's volume.
+   */
+  double volume;
+  /**
+   * Of the bytes of grids, voxels and references.
+   */
+  double bytes;
+  /**
+   * %o: of the level's voxels, those that refer to triangles.
+   */
+  double object_voxels;
+  /**
+   * %g: of the level's voxels, those that refer to grids.
+   */
+  double grid_voxels;
+  /**
+   * mu_og by its definition: distinct triangles a grid.
+   */
+  double objects_per_grid;
+  /**
+   * mu_og as figures 14 and 17 print it: %obj / %grids.
+   */
+  double objects_per_grid_printed;
+  /**
+   * mu_ov as figure 12 prints it: distinct triangles over voxels. By its
+   * definition it is hug_level_stats.object_mean.
+   */
+  double distinct_per_voxel;
+  /**
+   * mu'_ov likewise: over the voxels that refer to triangles.
+   */
+  double distinct_per_filled_voxel;
+} hug_level_shares;
+
+/**
+ * What a scene is made of. Set struct_size before the call; a program compiled
+ * against an older header passes a smaller one, and gets the fields it knows.
  */
 typedef struct {
   /**
@@ -605,7 +671,154 @@ typedef struct {
    * Level by level.
    */
   hug_level_stats level[HUG_MAX_LEVELS];
+  /**
+   * All levels together, in percent: objects and volume are sums over them.
+   */
+  hug_level_shares total_share;
+  /**
+   * Level by level, in percent.
+   */
+  hug_level_shares level_share[HUG_MAX_LEVELS];
 } hug_scene_stats;
+
+/**
+ * Voxels by the number of triangles they refer to. Zero it, set struct_size and
+ * what is marked "in".
+ */
+typedef struct {
+  /**
+   * In: sizeof(hug_voxel_histogram).
+   */
+  size_t struct_size;
+  /**
+   * In: the level, or HUG_ALL_LEVELS.
+   */
+  uint32_t level;
+  /**
+   * Must be 0.
+   */
+  uint32_t reserved;
+  /**
+   * In: length of counts and of cumulated.
+   */
+  size_t capacity;
+  /**
+   * In: counts[i] becomes the number of voxels that refer to i triangles; the
+   * last also counts those that refer to more. NULL if not wanted.
+   */
+  uint64_t *counts;
+  /**
+   * In: cumulated[i] becomes the percentage of voxels that counts[0] to
+   * counts[i] hold. NULL if not wanted; needs counts.
+   */
+  double *cumulated;
+  /**
+   * Out: voxels.
+   */
+  uint64_t voxels;
+  /**
+   * Out: most triangles that a voxel refers to; a capacity of one more has room
+   * for the whole histogram.
+   */
+  uint64_t most;
+} hug_voxel_histogram;
+
+/**
+ * Section 2's statistics of a scene (figure 4). The length of a triangle is the
+ * diagonal of its box. Zero it, set struct_size and what is marked "in".
+ */
+typedef struct {
+  /**
+   * In: sizeof(hug_scene_lengths).
+   */
+  size_t struct_size;
+  /**
+   * In: length of counts and of cumulated.
+   */
+  size_t capacity;
+  /**
+   * In: triangles by length, in capacity classes of equal width from 0 to share
+   * of the largest length; longer ones are in no class. NULL if not wanted.
+   */
+  uint64_t *counts;
+  /**
+   * In: cumulated[i] becomes the percentage of all triangles that counts[0] to
+   * counts[i] hold. NULL if not wanted; needs counts.
+   */
+  double *cumulated;
+  /**
+   * In: the share, greater than 0; 0 means 0.2, where the paper's charts stop.
+   */
+  double share;
+  /**
+   * Out: triangles (#polys).
+   */
+  uint64_t triangles;
+  /**
+   * Out: the smallest length.
+   */
+  double min;
+  /**
+   * Out: the largest length.
+   */
+  double max;
+  /**
+   * Out: the diagonal of the scene's box.
+   */
+  double diagonal;
+  /**
+   * Out: percentage of triangles shorter than a fifth of the largest (%.2).
+   */
+  double below_fifth;
+} hug_scene_lengths;
+
+/**
+ * Section 3's rendering statistics of one level of grids, or of all.
+ */
+typedef struct {
+  /**
+   * Grids whose box was tested (#bbi).
+   */
+  uint64_t grids;
+  /**
+   * Voxels traversed (#vt): the steps of the walk.
+   */
+  uint64_t voxels;
+  /**
+   * Ray-triangle tests (#pit), one per reference met.
+   */
+  uint64_t tests;
+  /**
+   * Tests that were hits within the ray's range (#pi).
+   */
+  uint64_t hits;
+  /**
+   * Tests that pass the paper's test_1: the ray is not parallel to the plane.
+   * %s1 is 100 passed_1 / tests.
+   */
+  uint64_t passed_1;
+  /**
+   * Of these, tests that pass test_2: the line meets the plane in the triangle's
+   * box, seen along the longest component of its normal. %s2 is
+   * 100 passed_2 / passed_1.
+   */
+  uint64_t passed_2;
+} hug_calls;
+
+/**
+ * What queries did, counted level by level; the profiled queries add to it. Zero
+ * it first.
+ */
+typedef struct {
+  /**
+   * All levels together.
+   */
+  hug_calls total;
+  /**
+   * Level by level; 0 is the deepest.
+   */
+  hug_calls level[HUG_MAX_LEVELS];
+} hug_profile;
 
 /**
  * Success.
@@ -1074,6 +1287,79 @@ hug_status hug_force_isa(const char *name);
  * A status in English, never NULL, also for numbers that are no status.
  */
 const char *hug_status_string(hug_status status);
+
+/**
+ * Fills *histogram. Cost: linear in the arena, with no allocation.
+ * HUG_ERROR_INVALID_VALUE for a level that the scene does not have. After an
+ * error nothing was written.
+ *
+ * # Safety
+ * scene must be valid or NULL; histogram, and the arrays that it names, writable
+ * or NULL.
+ */
+hug_status hug_histogram(const hug_scene *scene, hug_voxel_histogram *histogram);
+
+/**
+ * Fills *lengths. Cost: linear in the triangles, with no allocation. After an
+ * error nothing was written.
+ *
+ * # Safety
+ * scene must be valid or NULL; lengths, and the arrays that it names, writable
+ * or NULL.
+ */
+hug_status hug_lengths(const hug_scene *scene, hug_scene_lengths *lengths);
+
+/**
+ * hug_intersect that also adds what it did on each level to *profile. The hit is
+ * the same. With a NULL pointer: as hug_intersect, and nothing is counted.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_intersect_profiled(const hug_scene *scene,
+                               const hug_ray *ray,
+                               hug_hit *hit,
+                               hug_profile *profile);
+
+/**
+ * hug_occluded that also adds what it did on each level to *profile.
+ * With a NULL pointer: as hug_occluded, and nothing is counted.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_occluded_profiled(const hug_scene *scene, const hug_ray *ray, hug_profile *profile);
+
+/**
+ * hug_intersect_n that also adds what it did on each level to *profile: the sum of
+ * what hug_intersect_profiled counts for each ray. With profile NULL: as
+ * hug_intersect_n, and nothing is counted.
+ *
+ * # Safety
+ * As hug_intersect_n; profile is valid or NULL.
+ */
+void hug_intersect_n_profiled(const hug_scene *scene,
+                              const hug_ray *rays,
+                              size_t ray_stride,
+                              hug_hit *hits,
+                              size_t hit_stride,
+                              size_t n,
+                              hug_profile *profile);
+
+/**
+ * hug_occluded_n that also adds what it did on each level to *profile: the sum of
+ * what hug_occluded_profiled counts for each ray. With profile NULL: as
+ * hug_occluded_n, and nothing is counted.
+ *
+ * # Safety
+ * As hug_occluded_n; profile is valid or NULL.
+ */
+void hug_occluded_n_profiled(const hug_scene *scene,
+                             const hug_ray *rays,
+                             size_t ray_stride,
+                             uint8_t *occluded,
+                             size_t n,
+                             hug_profile *profile);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -53,8 +53,8 @@ pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
-pub use stats::{Level, Moments, Stats};
-pub use trace::Counters;
+pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
+pub use trace::{Calls, Counters, Profile};
 
 #[cfg(feature = "panic-handler")]
 #[panic_handler]

@@ -1,13 +1,13 @@
 //! Hits do not depend on the instruction set, nor do the bytes of a build, nor, as
-//! `Counters` promises, what a walk counts.
+//! `Counters` and `Profile` promise, what a walk counts.
 #![allow(missing_docs)]
 
 mod common;
 
 use common::{adversarial_rays, build, configurations, ray, soups};
-use hug::{Counters, Hit, Isa, Ray, Scene, force_isa, isa};
+use hug::{Counters, Hit, Isa, Profile, Ray, Scene, force_isa, isa};
 
-fn trace(scene: &Scene, rays: &[Ray]) -> Vec<([u32; 10], bool, Counters)> {
+fn trace(scene: &Scene, rays: &[Ray]) -> Vec<([u32; 10], bool, Counters, Profile)> {
     let view = scene.view();
     let one = |r| {
         let mut counters = Counters::default();
@@ -15,7 +15,10 @@ fn trace(scene: &Scene, rays: &[Ray]) -> Vec<([u32; 10], bool, Counters)> {
         let hit: [u32; 10] = bytemuck::cast(hit);
         let plain: [u32; 10] = bytemuck::cast::<Hit, _>(view.intersect(r));
         assert_eq!(plain, hit, "counted on {:?}: {r:?}", isa());
-        (hit, view.occluded(r), counters)
+        let mut profile = Profile::default();
+        let profiled: [u32; 10] = bytemuck::cast(view.intersect_profiled(r, &mut profile));
+        assert_eq!(profiled, hit, "profiled on {:?}: {r:?}", isa());
+        (hit, view.occluded(r), counters, profile)
     };
     rays.iter().map(one).collect()
 }
@@ -42,7 +45,7 @@ fn every_instruction_set_gives_the_same() {
                 {
                     let what = format!("{name} in {kind}, {set:?}: {r:?}");
                     assert_eq!((found.0, found.1), (expected.0, expected.1), "{what}");
-                    if found.2 != expected.2 {
+                    if (found.2, found.3) != (expected.2, expected.3) {
                         counted_otherwise.push((what, found.2, expected.2));
                     }
                 }

@@ -7,9 +7,10 @@ mod common;
 
 use common::native::{library, make, run};
 use hug::capi::types::{
-    hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_hit_soa, hug_level_stats, hug_ray,
-    hug_ray_soa, hug_scene_stats,
+    hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_hit_soa, hug_level_shares,
+    hug_level_stats, hug_ray, hug_ray_soa, hug_scene_stats,
 };
+use hug::capi::{hug_calls, hug_profile, hug_scene_lengths, hug_voxel_histogram};
 use std::mem::{align_of, offset_of, size_of};
 use std::process::Command;
 
@@ -53,8 +54,22 @@ fn expected() -> Vec<String> {
         hug_scene_stats {
             struct_size, structure, levels, triangles, dropped_non_finite, dropped_degenerate,
             counts, reserved, bytes, triangle_bytes, grid_bytes, voxel_bytes, ref_bytes, total,
-            level,
+            level, total_share, level_share,
         }
+        hug_level_shares {
+            objects, objects_of_levels, grids, voxels, pointers, volume, bytes, object_voxels,
+            grid_voxels, objects_per_grid, objects_per_grid_printed, distinct_per_voxel,
+            distinct_per_filled_voxel,
+        }
+        hug_voxel_histogram {
+            struct_size, level, reserved, capacity, counts, cumulated, voxels, most,
+        }
+        hug_scene_lengths {
+            struct_size, capacity, counts, cumulated, share, triangles, min, max, diagonal,
+            below_fifth,
+        }
+        hug_calls { grids, voxels, tests, hits, passed_1, passed_2 }
+        hug_profile { total, level }
     }
 }
 

@@ -6,8 +6,8 @@
 #[path = "../benches/scenes/mod.rs"]
 mod figures;
 
-use figures::lengths::Lengths;
-use figures::{Check, kitchen, length_checks, paper, table_checks};
+use figures::{Check, kitchen, length_checks, lengths, table_checks};
+use hug_bench::paper;
 use hug_kit::scenes;
 
 fn assert_hold(checks: &[Check]) {
@@ -19,7 +19,8 @@ fn assert_hold(checks: &[Check]) {
 fn lengths_are_distributed_as_in_figure_4() {
     for (name, paper) in paper::FIGURE_4 {
         let scene = scenes::generate(name).expect("a scene of this name");
-        assert_hold(&length_checks(name, &Lengths::of(&scene.mesh), &paper));
+        let ours = lengths(&scene.mesh).expect("the scene builds");
+        assert_hold(&length_checks(name, &ours, &paper));
     }
 }
 

@@ -5,7 +5,7 @@
 mod common;
 
 use common::{adversarial_rays, build, configurations, ray, soups};
-use hug::{Counters, Hit, Isa, Ray, Scene, force_isa};
+use hug::{Counters, Hit, Isa, Profile, Ray, Scene, force_isa};
 
 fn bits(hits: &[Hit]) -> &[[u32; 10]] {
     bytemuck::cast_slice(hits)
@@ -37,7 +37,22 @@ fn compare(what: &str, scene: &Scene, rays: &[Ray]) {
         view.occluded_counted(r, &mut each);
     }
     view.occluded_n_counted(rays, &mut occluded, &mut all);
-    assert_eq!((occluded, all), (shadows, each), "{what}, counted");
+    assert_eq!((&occluded, all), (&shadows, each), "{what}, counted");
+
+    let (mut each, mut all) = (Profile::default(), Profile::default());
+    for r in rays {
+        view.intersect_profiled(r, &mut each);
+    }
+    hits.fill(Hit::miss(7.0));
+    view.intersect_n_profiled(rays, &mut hits, &mut all);
+    assert_eq!(bits(&hits), bits(&single), "{what}, profiled");
+    assert_eq!(all.levels(), each.levels(), "{what}");
+    for r in rays {
+        view.occluded_profiled(r, &mut each);
+    }
+    occluded.fill(false);
+    view.occluded_n_profiled(rays, &mut occluded, &mut all);
+    assert_eq!((occluded, all.levels()), (shadows, each.levels()), "{what}, profiled");
 }
 
 /// The one test that forces instruction sets, which are the whole process's.

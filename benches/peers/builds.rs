@@ -1,13 +1,13 @@
 //! Builds of both libraries, timed in turns.
 
 use super::Args;
-use super::common::clock;
-use super::common::figures::Spread;
-use super::common::kind::Kind;
-use super::common::load::Loaded;
-use super::common::rounds::{self, Contender};
 use super::peer::{self, Builder};
 use hug::Scene;
+use hug_bench::clock;
+use hug_bench::figures::Spread;
+use hug_bench::kind::Kind;
+use hug_bench::load::Loaded;
+use hug_bench::rounds::{self, Contender};
 use std::hint::black_box;
 
 /// A structure of hug's.

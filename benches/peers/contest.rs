@@ -2,13 +2,13 @@
 
 use super::Query;
 use super::builds::Builds;
-use super::common::clock;
-use super::common::ray_sets::Set;
-use super::common::rounds::{self, Contender};
 use super::differences::Differences;
 use super::peer::{self, Found};
 use bytemuck::cast;
 use hug::{Hit, Ray};
+use hug_bench::clock;
+use hug_bench::ray_sets::Set;
+use hug_bench::rounds::{self, Contender};
 
 pub struct Contest {
     pub set: Set,

@@ -1,10 +1,10 @@
 //! The tables, in Markdown.
 
 use super::builds::Builds;
-use super::common::figures::Spread;
-use super::common::load::Loaded;
-use super::common::table::Table;
 use super::contest::Contest;
+use hug_bench::figures::Spread;
+use hug_bench::load::Loaded;
+use hug_bench::table::Table;
 
 pub fn scene(scene: &Loaded, build_rounds: u64) {
     println!("### {}, {} triangles\n", scene.name, scene.mesh.indices.len());

@@ -1,13 +1,13 @@
 //! One scene in one structure.
 
 use super::Args;
-use super::common::clock;
-use super::common::figures::Spread;
-use super::common::kind::Kind;
-use super::common::load::Loaded;
-use super::common::rounds::{self, Contender};
 use bytemuck::cast;
 use hug::{Counters, Hit, Ray, Scene, Stats};
+use hug_bench::clock;
+use hug_bench::figures::Spread;
+use hug_bench::kind::Kind;
+use hug_bench::load::Loaded;
+use hug_bench::rounds::{self, Contender};
 use hug_kit::rays;
 use std::hint::black_box;
 

@@ -1,8 +1,8 @@
 //! The tables.
 
-use super::common::fit;
-use super::common::table::Table;
 use super::measure::{Point, RayCost};
+use hug_bench::fit;
+use hug_bench::table::Table;
 
 /// Fits start here: below it constant costs and the caches say more than growth does.
 const FIT_FROM: f64 = 1e4;

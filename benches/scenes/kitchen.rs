@@ -1,8 +1,8 @@
 //! The kitchen in the three configurations of the paper's section 5.
 
-use super::paper;
-use super::table::{Other, Table};
-use hug::{Error, Filter, Geometry, Gridding, Hierarchy, Options, Scene, Stats, Structure};
+use hug::{Error, Geometry, Hierarchy, Options, Scene, Stats};
+use hug_bench::notation::Notation;
+use hug_bench::paper::{self, Other, Table};
 use hug_kit::Mesh;
 
 /// One configuration: what the paper prints, and what the library counts.
@@ -15,29 +15,12 @@ pub struct Figure {
     pub calibrated: bool,
 }
 
-/// Plain steps, so that nothing but the paper's structure counts, and capacities that no grid of
-/// the kitchen reaches.
-fn base() -> Options {
-    Options {
-        gridding: Gridding::Homogeneous,
-        exit_boxes: false,
-        max_refs: 4096,
-        ..Options::default()
-    }
-}
-
 pub fn figures(mesh: &Mesh) -> Result<Vec<Figure>, Error> {
-    let uniform = Options { structure: Structure::Uniform, counts: [28; 3], ..base() };
-    let hug = Options {
-        structure: Structure::Hug,
-        filter: Filter::ThreeLevels,
-        world_alpha: Some(core::f32::consts::SQRT_2),
-        hierarchy: Hierarchy::Paper,
-        min_cluster: 1,
-        ..base()
-    };
+    let options = |notation: Notation| notation.options();
+    let uniform = options(Notation::Uniform(Some(28)));
+    let hug = options(Notation::Hug { levels: 3, alpha: core::f32::consts::SQRT_2 });
     let nested = Options { hierarchy: Hierarchy::Nested, ..hug };
-    let recursive = Options { structure: Structure::Recursive, maxp: 50, ..base() };
+    let recursive = options(Notation::Recursive(50));
     let figure = |title, paper, options: &Options, calibrated| {
         let soup = [Geometry::from_mesh(&mesh.vertices, &mesh.indices)];
         let scene = Scene::build(&soup, options)?;

@@ -1,12 +1,18 @@
 //! The built-in scenes measured as the paper measures its own, and the tolerances they keep.
 
 pub mod kitchen;
-pub mod lengths;
-pub mod paper;
-pub mod table;
 
+use hug::{Error, Options, Scene, Structure};
+use hug_bench::paper::Lengths;
+use hug_kit::Mesh;
 use kitchen::Figure;
-use lengths::Lengths;
+
+/// The mesh measured; the structure makes no difference.
+pub fn lengths(mesh: &Mesh) -> Result<Lengths, Error> {
+    let options = Options { structure: Structure::Uniform, ..Options::default() };
+    let soup = [hug::Geometry::from_mesh(&mesh.vertices, &mesh.indices)];
+    Ok(Lengths::of(&hug::Lengths::of(&Scene::build(&soup, &options)?.view())))
+}
 
 /// How far a figure may be from the paper's.
 #[derive(Clone, Copy, Debug)]

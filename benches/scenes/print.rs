@@ -3,8 +3,7 @@
 use super::figures::Check;
 use super::figures::Tolerance::{Factor, Points};
 use super::figures::kitchen::Figure;
-use super::figures::lengths::Lengths;
-use super::figures::table::{Row, Sums};
+use hug_bench::paper::{Lengths, Row, Sums};
 
 pub fn lengths_head() {
     println!("figure 4");
@@ -69,7 +68,7 @@ fn sums(whose: &str, s: &Sums) {
     line(name, whose, &[&counts[..], &[format!("{:.2} MB", s.megabytes)]].concat());
 }
 
-/// Which of the readings in `figures::table` the tables and the checks take.
+/// Which of the readings in `paper::table` the tables and the checks take.
 pub fn readings() {
     println!("\nThe tables and the tolerances read as figures 14 and 17 print: %obj sums to 100,");
     println!(

@@ -25,6 +25,9 @@ void check_callbacks(void);
 void check_rebuild(void);
 void check_open(void);
 void check_queries(void);
+void check_streams(void);
 void check_statistics(void);
+void check_distributions(void);
+void check_profiles(void);
 
 #endif

@@ -42,11 +42,11 @@ impl Frame {
         let reach = |i: usize| f64::from(exit >> (i as u32 * EXIT_BITS) & EXIT_MAX);
         let margin = f64::from(BOX_MARGIN);
         let mut frame = Self { scale: [0.0; 3], lower: [0.0; 3], upper: [0.0; 3] };
-        for k in 0..3 {
+        for (k, &at) in at.iter().enumerate() {
             let side = reach(2 * k) + 1.0 + reach(2 * k + 1) + 2.0 * margin;
             let cells = f64::from(BOX_CELLS) / side;
             // The lowest corner, in voxels from the origin of all coordinates.
-            let low = at[k] as f64 - reach(2 * k) - margin + grid.lo[k] * grid.inv_cell[k];
+            let low = at as f64 - reach(2 * k) - margin + grid.lo[k] * grid.inv_cell[k];
             frame.scale[k] = grid.inv_cell[k] * cells;
             frame.lower[k] = (-low - PADDING) * cells;
             frame.upper[k] = (-low + PADDING) * cells;

@@ -13,18 +13,23 @@
 mod build;
 mod callbacks;
 mod desc;
+mod distribution;
 mod guard;
 mod memory;
 mod options;
+mod profile;
 mod query;
 mod rebuild;
 mod sized;
+mod stat_types;
 mod stats;
 mod stream;
 mod stream_soa;
 pub mod types;
 
 pub use build::*;
+pub use distribution::*;
+pub use profile::*;
 pub use query::*;
 pub use rebuild::*;
 pub use stats::*;

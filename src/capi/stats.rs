@@ -4,10 +4,15 @@ use core::ffi::{CStr, c_char};
 
 use super::build::hug_scene;
 use super::guard::guard;
-use super::types::{HUG_MAX_LEVELS, hug_level_stats, hug_scene_stats, hug_status};
+use super::types::{
+    HUG_MAX_LEVELS, hug_level_shares, hug_level_stats, hug_scene_stats, hug_status,
+};
 use crate::arena::View;
 use crate::stats::{Level, Stats};
 use crate::{Error, Isa, force_isa};
+
+/// Size of the first version of [`hug_scene_stats`].
+const FIRST_STATS: usize = core::mem::offset_of!(hug_scene_stats, total_share);
 
 /// Fills *stats (struct_size set by the caller) with the statistics of
 /// section 3 of the paper. Cost: linear in the arena, with no allocation.
@@ -27,8 +32,9 @@ pub unsafe extern "C" fn hug_stats(
             return Err(Error::Alignment);
         }
         // SAFETY: not NULL, valid by contract.
-        let (view, size) = unsafe { (View::from_ptr(scene.cast()), (*stats).struct_size) };
-        if size < size_of::<hug_scene_stats>() {
+        let (view, size) = unsafe { (View::from_ptr(scene.cast()), stats.cast::<usize>().read()) };
+        let known = size_of::<hug_scene_stats>();
+        if size < known && size != FIRST_STATS {
             return Err(Error::StructSize);
         }
         let s = Stats::of(&view);
@@ -36,25 +42,33 @@ pub unsafe extern "C" fn hug_stats(
         for (to, from) in level.iter_mut().zip(s.levels()) {
             *to = mirror(from);
         }
-        // SAFETY: writable by contract.
+        let mut level_share = [shares(&s, &Level::default()); HUG_MAX_LEVELS];
+        for (to, from) in level_share.iter_mut().zip(s.levels()) {
+            *to = shares(&s, from);
+        }
+        let all = hug_scene_stats {
+            struct_size: size,
+            structure: s.structure as u32,
+            levels: s.levels().len() as u32,
+            triangles: s.triangles,
+            dropped_non_finite: s.dropped_non_finite,
+            dropped_degenerate: s.dropped_degenerate,
+            counts: s.counts,
+            reserved: 0,
+            bytes: s.bytes,
+            triangle_bytes: s.triangle_bytes,
+            grid_bytes: s.grid_bytes,
+            voxel_bytes: s.voxel_bytes,
+            ref_bytes: s.ref_bytes,
+            total: mirror(&s.total),
+            level,
+            total_share: shares(&s, &s.total),
+            level_share,
+        };
+        // SAFETY: writable by contract, for the size that the caller stated.
         unsafe {
-            stats.write(hug_scene_stats {
-                struct_size: size,
-                structure: s.structure as u32,
-                levels: s.levels().len() as u32,
-                triangles: s.triangles,
-                dropped_non_finite: s.dropped_non_finite,
-                dropped_degenerate: s.dropped_degenerate,
-                counts: s.counts,
-                reserved: 0,
-                bytes: s.bytes,
-                triangle_bytes: s.triangle_bytes,
-                grid_bytes: s.grid_bytes,
-                voxel_bytes: s.voxel_bytes,
-                ref_bytes: s.ref_bytes,
-                total: mirror(&s.total),
-                level,
-            });
+            let bytes = (&raw const all).cast::<u8>();
+            stats.cast::<u8>().copy_from_nonoverlapping(bytes, size.min(known));
         }
         Ok(())
     })
@@ -81,6 +95,25 @@ fn mirror(l: &Level) -> hug_level_stats {
         grid_mean_filled: gf.mean,
         grid_deviation_filled: gf.deviation,
         bytes: l.bytes,
+    }
+}
+
+fn shares(s: &Stats, l: &Level) -> hug_level_shares {
+    let share = s.shares(l);
+    hug_level_shares {
+        objects: share.objects,
+        objects_of_levels: share.objects_of_levels,
+        grids: share.grids,
+        voxels: share.voxels,
+        pointers: share.pointers,
+        volume: share.volume,
+        bytes: share.bytes,
+        object_voxels: share.object_voxels,
+        grid_voxels: share.grid_voxels,
+        objects_per_grid: l.objects_per_grid(),
+        objects_per_grid_printed: share.objects_per_grid_printed(),
+        distinct_per_voxel: l.distinct_per_voxel(),
+        distinct_per_filled_voxel: l.distinct_per_filled_voxel(),
     }
 }
 

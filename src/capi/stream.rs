@@ -3,7 +3,7 @@
 use super::build::hug_scene;
 use super::query::{add, read, view};
 use super::types::{hug_counters, hug_hit, hug_ray};
-use crate::trace::{Counters, Port};
+use crate::trace::{Count, Counters, Port, Uncounted};
 use crate::{Hit, Ray};
 
 /// Rays and answers at strides in bytes.
@@ -55,6 +55,44 @@ impl Port<bool> for Strided<u8> {
     }
 }
 
+/// [`hug_intersect_n`], told to `counters`.
+///
+/// # Safety
+/// As [`hug_intersect_n`].
+pub(super) unsafe fn intersect(
+    scene: *const hug_scene,
+    (rays, ray_stride): (*const hug_ray, usize),
+    (hits, hit_stride): (*mut hug_hit, usize),
+    n: usize,
+    counters: &mut impl Count,
+) {
+    if scene.is_null() || rays.is_null() || hits.is_null() {
+        return;
+    }
+    let mut port = Strided::<Hit>::new(rays, ray_stride, hits.cast(), hit_stride);
+    // SAFETY: valid by contract, for every i below n.
+    unsafe { view(scene) }.intersect_port(&mut port, n, counters);
+}
+
+/// [`hug_occluded_n`], told to `counters`.
+///
+/// # Safety
+/// As [`hug_occluded_n`].
+pub(super) unsafe fn occluded(
+    scene: *const hug_scene,
+    (rays, ray_stride): (*const hug_ray, usize),
+    occluded: *mut u8,
+    n: usize,
+    counters: &mut impl Count,
+) {
+    if scene.is_null() || rays.is_null() || occluded.is_null() {
+        return;
+    }
+    let mut port = Strided::new(rays, ray_stride, occluded, 0);
+    // SAFETY: valid by contract, for every i below n.
+    unsafe { view(scene) }.occluded_port(&mut port, n, counters);
+}
+
 /// Finds the closest hits of n rays. Ray i is at rays + i * ray_stride bytes,
 /// hit i at hits + i * hit_stride; a stride of 0 means packed. Rays and hits
 /// may be fields of one array's elements, but must not overlap otherwise.
@@ -75,12 +113,8 @@ pub unsafe extern "C" fn hug_intersect_n(
     hit_stride: usize,
     n: usize,
 ) {
-    if scene.is_null() || rays.is_null() || hits.is_null() {
-        return;
-    }
-    let mut port = Strided::<Hit>::new(rays, ray_stride, hits.cast(), hit_stride);
-    // SAFETY: valid by contract, for every i below n.
-    unsafe { view(scene) }.intersect_port(&mut port, n, None);
+    // SAFETY: the same contract.
+    unsafe { intersect(scene, (rays, ray_stride), (hits, hit_stride), n, &mut Uncounted) };
 }
 
 /// Whether anything is hit, for n rays: occluded[i] becomes 1 or 0. Ray i is
@@ -97,12 +131,8 @@ pub unsafe extern "C" fn hug_occluded_n(
     occluded: *mut u8,
     n: usize,
 ) {
-    if scene.is_null() || rays.is_null() || occluded.is_null() {
-        return;
-    }
-    let mut port = Strided::new(rays, ray_stride, occluded, 0);
-    // SAFETY: valid by contract, for every i below n.
-    unsafe { view(scene) }.occluded_port(&mut port, n, None);
+    // SAFETY: the same contract.
+    unsafe { self::occluded(scene, (rays, ray_stride), occluded, n, &mut Uncounted) };
 }
 
 /// hug_intersect_n that also adds what it did to *counters: the sum of what
@@ -125,14 +155,10 @@ pub unsafe extern "C" fn hug_intersect_n_counted(
         // SAFETY: the same contract.
         return unsafe { hug_intersect_n(scene, rays, ray_stride, hits, hit_stride, n) };
     }
-    if scene.is_null() || rays.is_null() || hits.is_null() {
-        return;
-    }
-    let mut port = Strided::<Hit>::new(rays, ray_stride, hits.cast(), hit_stride);
     let mut seen = Counters::default();
-    // SAFETY: valid by contract, for every i below n.
+    // SAFETY: the same contract; counters is valid.
     unsafe {
-        view(scene).intersect_port(&mut port, n, Some(&mut seen));
+        intersect(scene, (rays, ray_stride), (hits, hit_stride), n, &mut seen);
         add(counters, &seen);
     }
 }
@@ -156,14 +182,10 @@ pub unsafe extern "C" fn hug_occluded_n_counted(
         // SAFETY: the same contract.
         return unsafe { hug_occluded_n(scene, rays, ray_stride, occluded, n) };
     }
-    if scene.is_null() || rays.is_null() || occluded.is_null() {
-        return;
-    }
-    let mut port = Strided::new(rays, ray_stride, occluded, 0);
     let mut seen = Counters::default();
-    // SAFETY: valid by contract, for every i below n.
+    // SAFETY: the same contract; counters is valid.
     unsafe {
-        view(scene).occluded_port(&mut port, n, Some(&mut seen));
+        self::occluded(scene, (rays, ray_stride), occluded, n, &mut seen);
         add(counters, &seen);
     }
 }

@@ -5,7 +5,7 @@ use super::guard::guard;
 use super::query::view;
 use super::sized;
 use super::types::{hug_hit_soa, hug_ray_soa, hug_status};
-use crate::trace::Port;
+use crate::trace::{Port, Uncounted};
 use crate::{Error, Hit, NONE, Ray};
 
 /// Element `i` of an array of any alignment, or `default` where there is none.
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn hug_intersect_soa(
         unsafe {
             let hits = sized::read(hits, size_of::<hug_hit_soa>())?;
             let mut port = Arrays::new(rays, hits)?;
-            view(scene).intersect_port(&mut port, n, None);
+            view(scene).intersect_port(&mut port, n, &mut Uncounted);
         }
         Ok(())
     })
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn hug_occluded_soa(
         // SAFETY: valid or NULL by contract.
         unsafe {
             let mut port = Arrays::new(rays, occluded)?;
-            view(scene).occluded_port(&mut port, n, None);
+            view(scene).occluded_port(&mut port, n, &mut Uncounted);
         }
         Ok(())
     })

@@ -6,6 +6,8 @@
 
 use core::ffi::c_void;
 
+pub use super::stat_types::{hug_counters, hug_level_shares, hug_level_stats, hug_scene_stats};
+
 /// What a function that can fail returns: HUG_OK or one of HUG_ERROR_*.
 pub type hug_status = i32;
 
@@ -283,20 +285,6 @@ pub struct hug_hit {
     pub reserved: u32,
 }
 
-/// What a query did, counted; the counted queries add to it.
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct hug_counters {
-    /// Grids whose box was tested (the paper's #bbi).
-    pub grids: u64,
-    /// Voxels traversed (#vt): the steps of the walk.
-    pub voxels: u64,
-    /// Ray-triangle tests (#pit), one per reference met.
-    pub tests: u64,
-    /// Tests that were hits within the ray's range (#pi).
-    pub hits: u64,
-}
-
 /// Rays with an array for each component. Set struct_size; arrays of org and dir are
 /// required, others may be NULL, which stands for the value named.
 #[derive(Clone, Copy)]
@@ -341,83 +329,6 @@ pub struct hug_hit_soa {
     pub prim: *mut u32,
     /// Always HUG_NONE.
     pub inst: *mut u32,
-}
-
-/// Section 3's statistics of one level of grids, or of all. "Objects" are
-/// distinct triangles; "references" repeat a triangle for each voxel.
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct hug_level_stats {
-    /// Distinct triangles referenced from this level (%obj).
-    pub objects: u64,
-    /// Grids (%grids).
-    pub grids: u64,
-    /// Voxels (%voxels).
-    pub voxels: u64,
-    /// Voxels that reference at least one triangle (%o).
-    pub object_voxels: u64,
-    /// Voxels that reference at least one grid (%g).
-    pub grid_voxels: u64,
-    /// References to triangles.
-    pub object_refs: u64,
-    /// References to grids; %ptrs counts both kinds.
-    pub grid_refs: u64,
-    /// Sum of the grids' volumes over the largest grid's volume (%vol / 100).
-    pub volume: f64,
-    /// Mean triangle references per voxel.
-    pub object_mean: f64,
-    /// Standard deviation of triangle references per voxel.
-    pub object_deviation: f64,
-    /// Mean triangle references per voxel that has any.
-    pub object_mean_filled: f64,
-    /// Standard deviation of triangle references per voxel that has any.
-    pub object_deviation_filled: f64,
-    /// Mean grid references per voxel.
-    pub grid_mean: f64,
-    /// Standard deviation of grid references per voxel.
-    pub grid_deviation: f64,
-    /// Mean grid references per voxel that has any.
-    pub grid_mean_filled: f64,
-    /// Standard deviation of grid references per voxel that has any.
-    pub grid_deviation_filled: f64,
-    /// Bytes of grids, voxels and references.
-    pub bytes: u64,
-}
-
-/// What a scene is made of. Set struct_size before the call.
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct hug_scene_stats {
-    /// sizeof(hug_scene_stats).
-    pub struct_size: usize,
-    /// The structure that was built; never HUG_STRUCTURE_AUTO.
-    pub structure: hug_structure,
-    /// Number of levels; 0 holds the deepest grids.
-    pub levels: u32,
-    /// Triangles in the scene.
-    pub triangles: u64,
-    /// Triangles left out of it for a coordinate that is not finite.
-    pub dropped_non_finite: u64,
-    /// Triangles left out of it for having no area.
-    pub dropped_degenerate: u64,
-    /// Voxels of the outermost grid.
-    pub counts: [u32; 3],
-    /// 0.
-    pub reserved: u32,
-    /// Bytes of the arena, whole.
-    pub bytes: u64,
-    /// Bytes of the triangles' section.
-    pub triangle_bytes: u64,
-    /// Bytes of the grids' section.
-    pub grid_bytes: u64,
-    /// Bytes of the voxels' section.
-    pub voxel_bytes: u64,
-    /// Bytes of the references' section.
-    pub ref_bytes: u64,
-    /// All levels together.
-    pub total: hug_level_stats,
-    /// Level by level.
-    pub level: [hug_level_stats; HUG_MAX_LEVELS],
 }
 
 const _: () = assert!(size_of::<hug_ray>() == size_of::<crate::Ray>());

@@ -1,5 +1,8 @@
 //! What a walk counts, or does not.
 
+use crate::ray::Ray;
+use crate::triangle::Corners;
+
 /// What queries did; a counted query adds to it. The same numbers on every
 /// machine and instruction set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,23 +18,36 @@ pub struct Counters {
 }
 
 /// Counts events, or compiles to nothing.
-pub(crate) trait Count {
+pub(crate) trait Count: Copy {
     /// Whether it counts.
     const COUNTS: bool = true;
+    /// Whether it wants to look at every triangle that is tested.
+    const LOOKS: bool = false;
+    /// A level, as what comes back to it keeps it: nothing, if levels are not told apart.
+    type Level: Copy + Default;
+    fn of(level: u8) -> Self::Level;
+    /// What follows happens on this level, until told otherwise.
+    fn level(&mut self, _: Self::Level) {}
     fn grid(&mut self) {}
     fn voxel(&mut self) {}
     fn tests(&mut self, _: usize) {}
     fn hit(&mut self) {}
+    fn look(&mut self, _: &Ray, _: &impl Corners) {}
 }
 
 /// Counts nothing.
+#[derive(Clone, Copy)]
 pub(crate) struct Uncounted;
 
 impl Count for Uncounted {
     const COUNTS: bool = false;
+    type Level = ();
+    fn of(_: u8) {}
 }
 
 impl Count for Counters {
+    type Level = ();
+    fn of(_: u8) {}
     fn grid(&mut self) {
         self.grids += 1;
     }

@@ -2,13 +2,14 @@
 //!
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
-//! rejects triangles cheaply, `query` says what is looked for, `counters` what is
-//! counted.
+//! rejects triangles cheaply, `query` says what is looked for, `counters` and
+//! `profile` what is counted.
 
 mod bounds;
 mod counters;
 mod course;
 mod local;
+mod profile;
 mod query;
 mod rebase;
 mod sieve;
@@ -17,5 +18,8 @@ mod stream;
 mod walk;
 
 pub use counters::Counters;
+#[cfg(feature = "capi")]
+pub(crate) use counters::{Count, Uncounted};
+pub use profile::{Calls, Profile};
 #[cfg(feature = "capi")]
 pub(crate) use stream::Port;

@@ -1,6 +1,7 @@
 //! One ray at a time.
 
 use super::counters::{Count, Counters, Uncounted};
+use super::profile::Profile;
 use super::query::{Any, Closest, Query, usable, visible};
 use super::walk::Walk;
 use crate::arena::View;
@@ -52,6 +53,16 @@ impl View<'_> {
     /// [`View::occluded`], adding what it did to `counters`.
     pub fn occluded_counted(&self, ray: &Ray, counters: &mut Counters) -> bool {
         self.single::<Any, _>(ray, counters)
+    }
+
+    /// [`View::intersect`], adding what it did on each level to `profile`.
+    pub fn intersect_profiled(&self, ray: &Ray, profile: &mut Profile) -> Hit {
+        self.single::<Closest, _>(ray, profile)
+    }
+
+    /// [`View::occluded`], adding what it did on each level to `profile`.
+    pub fn occluded_profiled(&self, ray: &Ray, profile: &mut Profile) -> bool {
+        self.single::<Any, _>(ray, profile)
     }
 
     #[inline]

@@ -137,6 +137,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     /// query wants no more.
     #[inline(always)]
     fn grid(&mut self, number: u32, t0: f64, t1: f64) -> bool {
+        self.counters.level(C::of(self.sections.grid(number).level));
         self.counters.grid();
         let l = self.lanes;
         let grid = self.sections.grid(number);
@@ -163,12 +164,14 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 } else {
                     let until = if step.out < stop { step.out } else { stop };
                     let taus = [local.low(s), local.high(until)];
-                    if tag == LIST {
+                    let met = if tag == LIST {
                         let boxes = local.boxes(l, &self.course, at, exit, [s, until]);
                         self.long_apart(payload, &boxes, taus)
                     } else {
                         self.below(payload, taus)
-                    }
+                    };
+                    self.counters.level(C::of(grid.level));
+                    met
                 };
                 match met {
                     Met::Nothing => {}
@@ -248,6 +251,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     fn triangles(&mut self, refs: &[u32]) -> Met {
         let mut met = Met::Nothing;
         for few in refs.chunks(chunk::<C, L>()) {
+            if C::LOOKS {
+                few.iter().for_each(|&r| self.counters.look(self.ray, self.sections.triangle(r)));
+            }
             self.counters.tests(few.len());
             let mut left = self.sieve.pass(self.lanes, few);
             while left != 0 {

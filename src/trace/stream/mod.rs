@@ -9,13 +9,15 @@
 //! idle, however different the rays are.
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
-//! defines, and the counters of counted streams too: each ray takes the same steps.
+//! defines, and the numbers of counted and profiled streams too: each ray takes the
+//! same steps.
 
 mod phases;
 mod queues;
 mod slot;
 
 use super::counters::{Count, Counters, Uncounted};
+use super::profile::Profile;
 use super::query::{Any, Closest, Query, usable};
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
@@ -40,11 +42,15 @@ pub(crate) trait Port<Out> {
 
 /// The frames of a slot.
 #[inline(always)]
-fn frames<L: Lanes>(frames: &mut [Frame<L>; FRAMES], depth: usize, slot: usize) -> &mut [Frame<L>] {
+fn frames<C: Count, L: Lanes>(
+    frames: &mut [Frame<C, L>; FRAMES],
+    depth: usize,
+    slot: usize,
+) -> &mut [Frame<C, L>] {
     frames.get_mut(slot * depth..(slot + 1) * depth).unwrap_or_default()
 }
 
-struct Stream<'a, 'p, Q: Query, C, L: Lanes> {
+struct Stream<'a, 'p, Q: Query, C: Count, L: Lanes> {
     view: &'a View<'a>,
     with: Common<'a, 'p, C, L>,
     port: &'p mut dyn Port<Q::Out>,
@@ -53,8 +59,8 @@ struct Stream<'a, 'p, Q: Query, C, L: Lanes> {
     n: usize,
     flying: usize,
     queues: Queues,
-    slots: &'p mut [Slot<'a, Q, L>; SLOTS],
-    frames: &'p mut [Frame<L>; FRAMES],
+    slots: &'p mut [Slot<'a, Q, C, L>; SLOTS],
+    frames: &'p mut [Frame<C, L>; FRAMES],
     /// Frames of each slot.
     depth: usize,
 }
@@ -132,7 +138,7 @@ impl<Q: Query, C: Count> AnyKernel for Run<'_, '_, Q, C> {
         for slot in 0..flying {
             queues.push(Phase::Done, slot);
         }
-        let idle = Slot::<Q, L>::new(lanes, view, Ray::new([0.0; 3], [0.0, 0.0, 1.0]), 0);
+        let idle = Slot::<Q, C, L>::new(lanes, view, Ray::new([0.0; 3], [0.0, 0.0, 1.0]), 0);
         Stream {
             view,
             with: Common { lanes, sections: view.sections(), counters },
@@ -172,50 +178,57 @@ impl View<'_> {
     /// hits, or the reverse, the rest is left alone. Takes about 40 kB of stack.
     pub fn intersect_n(&self, rays: &[Ray], hits: &mut [Hit]) {
         let n = rays.len().min(hits.len());
-        self.intersect_port(&mut Slices { rays, answers: hits }, n, None);
+        self.intersect_port(&mut Slices { rays, answers: hits }, n, &mut Uncounted);
     }
 
     /// Whether rays hit anything, one answer each, as [`View::intersect_n`].
     pub fn occluded_n(&self, rays: &[Ray], occluded: &mut [bool]) {
         let n = rays.len().min(occluded.len());
-        self.occluded_port(&mut Slices { rays, answers: occluded }, n, None);
+        self.occluded_port(&mut Slices { rays, answers: occluded }, n, &mut Uncounted);
     }
 
     /// [`View::intersect_n`], adding what it did to `counters`: the sum of what
     /// [`View::intersect_counted`] counts.
     pub fn intersect_n_counted(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut Counters) {
         let n = rays.len().min(hits.len());
-        self.intersect_port(&mut Slices { rays, answers: hits }, n, Some(counters));
+        self.intersect_port(&mut Slices { rays, answers: hits }, n, counters);
     }
 
     /// [`View::occluded_n`], adding what it did to `counters`.
     pub fn occluded_n_counted(&self, rays: &[Ray], occluded: &mut [bool], counters: &mut Counters) {
         let n = rays.len().min(occluded.len());
-        self.occluded_port(&mut Slices { rays, answers: occluded }, n, Some(counters));
+        self.occluded_port(&mut Slices { rays, answers: occluded }, n, counters);
     }
 
-    pub(crate) fn intersect_port(
+    /// [`View::intersect_n`], adding what it did on each level to `profile`: the sum of
+    /// what [`View::intersect_profiled`] counts.
+    pub fn intersect_n_profiled(&self, rays: &[Ray], hits: &mut [Hit], profile: &mut Profile) {
+        let n = rays.len().min(hits.len());
+        self.intersect_port(&mut Slices { rays, answers: hits }, n, profile);
+    }
+
+    /// [`View::occluded_n`], adding what it did on each level to `profile`.
+    pub fn occluded_n_profiled(&self, rays: &[Ray], occluded: &mut [bool], profile: &mut Profile) {
+        let n = rays.len().min(occluded.len());
+        self.occluded_port(&mut Slices { rays, answers: occluded }, n, profile);
+    }
+
+    pub(crate) fn intersect_port<C: Count>(
         &self,
         port: &mut dyn Port<Hit>,
         n: usize,
-        counters: Option<&mut Counters>,
+        counters: &mut C,
     ) {
-        match counters {
-            Some(counters) => self.stream::<Closest, _>(port, n, counters),
-            None => self.stream::<Closest, _>(port, n, &mut Uncounted),
-        }
+        self.stream::<Closest, C>(port, n, counters);
     }
 
-    pub(crate) fn occluded_port(
+    pub(crate) fn occluded_port<C: Count>(
         &self,
         port: &mut dyn Port<bool>,
         n: usize,
-        counters: Option<&mut Counters>,
+        counters: &mut C,
     ) {
-        match counters {
-            Some(counters) => self.stream::<Any, _>(port, n, counters),
-            None => self.stream::<Any, _>(port, n, &mut Uncounted),
-        }
+        self.stream::<Any, C>(port, n, counters);
     }
 
     fn stream<Q: Query, C: Count>(&self, port: &mut dyn Port<Q::Out>, n: usize, counters: &mut C) {

@@ -28,12 +28,14 @@ pub(super) struct Common<'a, 'c, C, L: Lanes> {
 /// What follows a voxel's tag.
 const BY_TAG: [Phase; 4] = [Phase::Advance, Phase::Open, Phase::Descend, Phase::Descend];
 
-impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
+impl<Q: Query, C: Count, L: Lanes> Slot<'_, Q, C, L> {
     /// Enters a grid.
     #[inline(always)]
-    pub fn enter<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
-        with.counters.grid();
+    pub fn enter(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         let grid = with.sections.grid(self.grid);
+        self.level = C::of(grid.level);
+        with.counters.level(self.level);
+        with.counters.grid();
         let [t0, t1] = self.range;
         let Some(local) = Local::enter(with.lanes, grid, &self.course, &self.ray, t0, t1) else {
             return Phase::Return;
@@ -44,13 +46,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Comes to voxel `at`.
     #[inline(always)]
-    fn come<C: Count>(
-        &mut self,
-        with: &mut Common<'_, '_, C, L>,
-        s: f32,
-        at: L::I32,
-        stop: f32,
-    ) -> Phase {
+    fn come(&mut self, with: &mut Common<'_, '_, C, L>, s: f32, at: L::I32, stop: f32) -> Phase {
         (self.s, self.at, self.stop, self.cut) = (s, at, stop, stop);
         self.place = self.local.number(with.lanes, &self.course, at);
         with.sections.fetch_voxel(with.lanes, self.place);
@@ -59,7 +55,8 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Reads a voxel.
     #[inline(always)]
-    pub fn visit<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+    pub fn visit(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+        with.counters.level(self.level);
         with.counters.voxel();
         let voxel = with.sections.voxel(self.place as usize);
         let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
@@ -74,7 +71,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Reads the head of a list.
     #[inline(always)]
-    pub fn open<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+    pub fn open(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         (self.exit, self.len) = with.sections.head(self.place);
         with.sections.fetch_list(with.lanes, self.place + self.len);
         let out = self.step(with).out;
@@ -88,7 +85,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Looks at the next boxes.
     #[inline(always)]
-    pub fn look<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+    pub fn look(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         let Refs { at, end } = self.triangles;
         let part = Part::new(self.place, self.len, at, end);
         if C::COUNTS {
@@ -116,7 +113,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Takes the next grid of the list.
     #[inline(always)]
-    fn next_grid<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) {
+    fn next_grid(&mut self, with: &mut Common<'_, '_, C, L>) {
         self.grid = with.sections.eight(self.grids.at)[0] & !GRID_BIT;
         self.grids.at += 1;
         with.sections.fetch_grid(with.lanes, self.grid);
@@ -133,9 +130,13 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Sieves a few triangles of the list.
     #[inline(always)]
-    pub fn sift<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+    pub fn sift(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         let refs = &self.few.refs()[self.sieved as usize..];
         let few = &refs[..refs.len().min(chunk::<C, L>())];
+        with.counters.level(self.level);
+        if C::LOOKS {
+            few.iter().for_each(|&r| with.counters.look(&self.ray, with.sections.triangle(r)));
+        }
         with.counters.tests(few.len());
         self.left = self.sieve.pass(with.lanes, few);
         self.sieved += few.len() as u32;
@@ -144,7 +145,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Decides one of them.
     #[inline(always)]
-    pub fn decide<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+    pub fn decide(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         let chunk = chunk::<C, L>() as u32;
         let first = (self.sieved - 1) / chunk * chunk;
         let number = self.few.any((first + self.left.trailing_zeros()) as usize);
@@ -156,6 +157,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
             if visible(&self.ray, triangle)
                 && let Some(enough) = self.query.meet(&Line::new(&self.ray), triangle, number)
             {
+                with.counters.level(self.level);
                 with.counters.hit();
                 if enough {
                     return Phase::Done;
@@ -168,7 +170,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
     }
 
     #[inline(always)]
-    fn step<C: Count>(&self, with: &Common<'_, '_, C, L>) -> Step<L> {
+    fn step(&self, with: &Common<'_, '_, C, L>) -> Step<L> {
         if C::COUNTS {
             self.local.step::<true>(with.lanes, &self.course, self.at, self.exit)
         } else {
@@ -178,7 +180,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Leaves the exit box.
     #[inline(always)]
-    pub fn advance<C: Count>(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
+    pub fn advance(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         let Step { out, to } = self.step(with);
         let inside = !with.lanes.any_greater(to, self.local.last);
         let goes_on = (out < self.cut) & inside;
@@ -188,10 +190,10 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Goes down to a grid, over the part of the ray in the exit box.
     #[inline(always)]
-    pub fn descend<C: Count>(
+    pub fn descend(
         &mut self,
         with: &mut Common<'_, '_, C, L>,
-        frames: &mut [Frame<L>],
+        frames: &mut [Frame<C, L>],
     ) -> Phase {
         let Step { out, to } = self.step(with);
         let until = if out < self.stop { out } else { self.stop };
@@ -201,7 +203,8 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
         if (goes_on || !self.grids.is_empty())
             && let Some(frame) = frames.get_mut(self.depth)
         {
-            *frame = Frame { local: self.local, to, out, grids: self.grids, range: self.range };
+            let Self { level, local, grids, range, .. } = *self;
+            *frame = Frame { level, local, to, out, grids, range };
             self.depth += 1;
         }
         Phase::Enter
@@ -209,11 +212,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
 
     /// Goes on in the grid above, or in the next one of the list.
     #[inline(always)]
-    pub fn climb<C: Count>(
-        &mut self,
-        with: &mut Common<'_, '_, C, L>,
-        frames: &mut [Frame<L>],
-    ) -> Phase {
+    pub fn climb(&mut self, with: &mut Common<'_, '_, C, L>, frames: &mut [Frame<C, L>]) -> Phase {
         while let Some(frame) = self.depth.checked_sub(1).and_then(|top| frames.get_mut(top)) {
             if !frame.grids.is_empty() {
                 (self.grids, self.range) = (frame.grids, frame.range);
@@ -222,7 +221,7 @@ impl<Q: Query, L: Lanes> Slot<'_, Q, L> {
                 return Phase::Enter;
             }
             self.depth -= 1;
-            self.local = frame.local;
+            (self.level, self.local) = (frame.level, frame.local);
             let stop = self.local.stop(self.limit());
             if frame.out < stop && !with.lanes.any_greater(frame.to, self.local.last) {
                 return self.come(with, frame.out, frame.to, stop);

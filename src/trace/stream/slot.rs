@@ -1,6 +1,7 @@
 //! A ray in flight, and where it goes on in the grids above its own.
 
 use super::super::bounds::Few;
+use super::super::counters::Count;
 use super::super::course::Course;
 use super::super::local::{Boxes, Local};
 use super::super::query::{Query, beyond};
@@ -28,7 +29,7 @@ impl Refs {
 
 /// A ray on its way.
 #[derive(Clone, Copy)]
-pub(super) struct Slot<'a, Q, L: Lanes> {
+pub(super) struct Slot<'a, Q, C: Count, L: Lanes> {
     pub ray: Ray,
     /// Its place in the stream.
     pub index: usize,
@@ -40,6 +41,8 @@ pub(super) struct Slot<'a, Q, L: Lanes> {
     /// The grid to enter, and the range of tau to walk there.
     pub grid: u32,
     pub range: [f64; 2],
+    /// The level of the grid it is in, as counters keep it.
+    pub level: C::Level,
     /// The grid it is in, its voxel there, since when it is in that, and where it
     /// stopped in the grid when it came to the voxel.
     pub local: Local<L>,
@@ -69,7 +72,7 @@ pub(super) struct Slot<'a, Q, L: Lanes> {
     pub depth: usize,
 }
 
-impl<'a, Q: Query, L: Lanes> Slot<'a, Q, L> {
+impl<'a, Q: Query, C: Count, L: Lanes> Slot<'a, Q, C, L> {
     /// A ray that is known to be usable, before the outermost grid.
     #[inline(always)]
     pub fn new(l: L, view: &View<'a>, ray: Ray, index: usize) -> Self {
@@ -93,6 +96,7 @@ impl<'a, Q: Query, L: Lanes> Slot<'a, Q, L> {
             grid: 0,
             // A t that rounds to tmin may lie below it, one that rounds to tmax above.
             range: [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t],
+            level: C::Level::default(),
             local: Local::nowhere(l),
             at: l.splat_i32(0),
             s: 0.0,
@@ -121,7 +125,8 @@ impl<'a, Q: Query, L: Lanes> Slot<'a, Q, L> {
 
 /// Where a ray goes on in a grid when it has left those below.
 #[derive(Clone, Copy)]
-pub(super) struct Frame<L: Lanes> {
+pub(super) struct Frame<C: Count, L: Lanes> {
+    pub level: C::Level,
     pub local: Local<L>,
     pub to: L::I32,
     pub out: f32,
@@ -130,9 +135,10 @@ pub(super) struct Frame<L: Lanes> {
     pub range: [f64; 2],
 }
 
-impl<L: Lanes> Frame<L> {
+impl<C: Count, L: Lanes> Frame<C, L> {
     pub fn unused(l: L) -> Self {
         let (local, to) = (Local::nowhere(l), l.splat_i32(0));
-        Self { local, to, out: 0.0, grids: Refs::default(), range: [0.0; 2] }
+        let level = C::Level::default();
+        Self { level, local, to, out: 0.0, grids: Refs::default(), range: [0.0; 2] }
     }
 }

@@ -43,6 +43,14 @@ impl Loaded {
         Scene::build(&self.soup(), options).map_err(|error| format!("{}: {error}", self.name))
     }
 
+    /// Up to so many views, by name; one from inside the box if it has none.
+    pub fn first_views(&self, most: usize) -> Vec<(String, View)> {
+        if self.views.is_empty() {
+            return vec![("inside".to_owned(), View::derived(&self.bounds))];
+        }
+        self.views.iter().take(most).cloned().collect()
+    }
+
     /// The view of this name; without one the first, of a scene that has any, or else one from
     /// inside the box.
     pub fn view(&self, name: Option<&str>) -> Result<View, String> {

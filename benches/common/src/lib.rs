@@ -1,8 +1,5 @@
-//! What the benchmark programs share; each uses a part of it.
-#![allow(dead_code)]
+//! What the benchmark programs and the report share; each uses a part of it.
 
-#[cfg(feature = "capi")]
-pub mod abi;
 pub mod args;
 pub mod cameras;
 pub mod clock;
@@ -14,6 +11,8 @@ pub mod kind;
 pub mod load;
 pub mod machine;
 pub mod named;
+pub mod notation;
+pub mod paper;
 pub mod ply;
 pub mod ray_sets;
 pub mod rounds;

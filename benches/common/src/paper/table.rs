@@ -64,37 +64,26 @@ pub struct Other {
     pub per_voxel: [f64; 2],
 }
 
-fn percent(part: u64, whole: u64) -> f64 {
-    ratio(100.0 * part as f64, whole as f64)
-}
-
-fn ratio(a: f64, b: f64) -> f64 {
-    if b > 0.0 { a / b } else { 0.0 }
-}
-
 fn pair(moments: Moments) -> [f64; 2] {
     [moments.mean, moments.deviation]
 }
 
 impl Row {
-    fn new(level: &Level, total: &Level) -> Self {
-        let pointers = |l: &Level| l.object_refs + l.grid_refs;
-        let objects = percent(level.objects, total.objects);
-        let grids = percent(level.grids, total.grids);
+    pub fn new(stats: &Stats, level: &Level) -> Self {
+        let shares = stats.shares(level);
         let [mean, sigma] = pair(level.grids_per_voxel());
         let [mean_filled, sigma_filled] = pair(level.grids_per_filled_voxel());
-        let pointing = percent(level.grid_voxels, level.voxels);
         Self {
-            objects,
-            grids,
-            voxels: percent(level.voxels, total.voxels),
-            pointers: percent(pointers(level), pointers(total)),
-            volume: 100.0 * level.volume,
-            per_grid: ratio(objects, grids),
-            filled: percent(level.object_voxels, level.voxels),
+            objects: shares.objects_of_levels,
+            grids: shares.grids,
+            voxels: shares.voxels,
+            pointers: shares.pointers,
+            volume: shares.volume,
+            per_grid: shares.objects_per_grid_printed(),
+            filled: shares.object_voxels,
             per_voxel: pair(level.objects_per_voxel()),
             per_filled: pair(level.objects_per_filled_voxel()),
-            grid_pointers: [pointing, mean, sigma, mean_filled, sigma_filled],
+            grid_pointers: [shares.grid_voxels, mean, sigma, mean_filled, sigma_filled],
         }
     }
 }
@@ -103,12 +92,12 @@ impl Table {
     pub fn of(stats: &Stats) -> Self {
         let total = &stats.total;
         Self {
-            rows: stats.levels().iter().map(|level| Row::new(level, total)).collect(),
+            rows: stats.levels().iter().map(|level| Row::new(stats, level)).collect(),
             sums: Sums {
                 objects: stats.triangles,
                 grids: total.grids,
                 voxels: total.voxels,
-                pointers: total.object_refs + total.grid_refs,
+                pointers: total.pointers(),
                 megabytes: (stats.bytes - stats.triangle_bytes) as f64 / f64::from(1 << 20),
             },
         }
@@ -122,14 +111,14 @@ impl Table {
 
 impl Other {
     pub fn levels(stats: &Stats) -> Vec<Self> {
-        let of = |level: &Level| {
-            let objects = level.objects as f64;
-            Self {
-                objects: percent(level.objects, stats.triangles),
-                per_grid: level.objects_per_grid(),
-                per_voxel: [level.voxels, level.object_voxels].map(|n| ratio(objects, n as f64)),
-            }
-        };
-        stats.levels().iter().map(of).collect()
+        stats.levels().iter().map(|level| Self::new(stats, level)).collect()
+    }
+
+    pub fn new(stats: &Stats, level: &Level) -> Self {
+        Self {
+            objects: stats.shares(level).objects,
+            per_grid: level.objects_per_grid(),
+            per_voxel: [level.distinct_per_voxel(), level.distinct_per_filled_voxel()],
+        }
     }
 }

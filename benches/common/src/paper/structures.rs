@@ -1,16 +1,6 @@
-//! What the paper prints, in its own order: figure 4, and figures 12, 14 and 17.
+//! Figures 12, 14 and 17: the kitchen in three structures.
 
-use super::lengths::Lengths;
 use super::table::{Row, Sums, Table};
-
-/// Figure 4. "CSB 3rd floor" is the building here, its walls alone `building_walls`.
-pub const FIGURE_4: [(&str, Lengths); 5] = [
-    ("kitchen", Lengths { count: 20947, min_max: 9.0e-4, min_diag: 6.5e-4, below: 99.29 }),
-    ("building_walls", Lengths { count: 32811, min_max: 5.7e-4, min_diag: 3.6e-4, below: 99.49 }),
-    ("building", Lengths { count: 117_605, min_max: 1.0e-5, min_diag: 8.1e-6, below: 99.99 }),
-    ("city", Lengths { count: 52136, min_max: 2.9e-3, min_diag: 1.0e-3, below: 99.85 }),
-    ("garden", Lengths { count: 45293, min_max: 4.3e-3, min_diag: 1.1e-3, below: 99.72 }),
-];
 
 const fn row(resources: [f64; 5], objects: [f64; 6], grids: [f64; 5]) -> Row {
     let [share, grid_share, voxels, pointers, volume] = resources;

@@ -1,0 +1,105 @@
+//! The paper's notation is read, written, and refused with a reason.
+#![allow(missing_docs)]
+
+use hug::{Filter, Gridding, Options, Structure};
+use hug_bench::notation::{Configuration, Notation, scene, short};
+use std::f32::consts::SQRT_2;
+
+fn read(text: &str) -> Configuration {
+    text.parse().unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_papers_configurations() {
+    let hug = |levels, alpha| Notation::Hug { levels, alpha };
+    for (text, scene, view, structure) in [
+        ("kit.g28", "kitchen", None, Notation::Uniform(Some(28))),
+        ("kit.r50", "kitchen", None, Notation::Recursive(50)),
+        ("kit.r500", "kitchen", None, Notation::Recursive(500)),
+        ("kit.u.f3.sqrt2", "kitchen", None, hug(3, SQRT_2)),
+        ("kit.u.f2.sqrt2", "kitchen", None, hug(2, SQRT_2)),
+        ("csbc.u.f3.1", "building", Some("desk"), hug(3, 1.0)),
+        ("csbc.g80", "building", Some("desk"), Notation::Uniform(Some(80))),
+        ("kitchenBowlView.r50", "kitchen", Some("kitchenBowlView"), Notation::Recursive(50)),
+        ("city.g", "city", None, Notation::Uniform(None)),
+        ("bunny.auto", "bunny", None, Notation::Auto),
+        ("clustered:500.u.f1.1.5", "clustered:500", None, hug(1, 1.5)),
+        ("my.scene.r4", "my.scene", None, Notation::Recursive(4)),
+    ] {
+        let found = read(text);
+        let view = view.map(str::to_owned);
+        assert_eq!(found, Configuration { scene: scene.to_owned(), view, structure }, "{text}");
+        assert_eq!(found.to_string(), text);
+    }
+}
+
+#[test]
+fn other_spellings() {
+    for (text, written) in [
+        ("kit.u.f3.\u{221a}2", "kit.u.f3.sqrt2"),
+        ("kit.u.f3.sqr2", "kit.u.f3.sqrt2"),
+        ("kitchen.u.f2.1.0", "kit.u.f2.1"),
+        ("building_walls.r050", "csbw.r50"),
+        ("kit.u.f2.sqrt4", "kit.u.f2.2"),
+    ] {
+        assert_eq!(read(text).to_string(), written);
+    }
+}
+
+#[test]
+fn refused_with_a_reason() {
+    for text in [
+        "",
+        "kit",
+        "kit.",
+        ".r50",
+        "kit.x",
+        "kit.r",
+        "kit.r0",
+        "kit.r-1",
+        "kit.r+5",
+        "kit.r5x",
+        "kit.g0",
+        "kit.g2049",
+        "kit.g1.5",
+        "kit.u",
+        "kit.u.f3",
+        "kit.u.f0.1",
+        "kit.u.f4.1",
+        "kit.u.f2.",
+        "kit.u.f2.nan",
+        "kit.u.f2.-1",
+        "kit.u.f2.17",
+        "kit.u.f2.sqrt",
+        "kit.u.f2.1e1",
+        "kit.r99999999999",
+    ] {
+        let error = text.parse::<Configuration>().expect_err(text);
+        assert!(error.starts_with(text) || error.contains(": "), "{text}: {error}");
+    }
+}
+
+#[test]
+fn options_are_the_papers() {
+    for text in ["g28", "g", "r50", "u.f1.1", "u.f2.sqrt2", "u.f3.1"] {
+        let options: Options = text.parse::<Notation>().expect(text).options();
+        assert_eq!(options.check(), Ok(()), "{text}");
+        assert!(!options.exit_boxes && options.gridding == Gridding::Homogeneous, "{text}");
+    }
+    let options = |text: &str| text.parse::<Notation>().expect("as in the paper").options();
+    assert_eq!(options("g28").counts, [28; 3]);
+    assert_eq!((options("r500").structure, options("r500").maxp), (Structure::Recursive, 500));
+    assert_eq!(options("u.f3.1").filter, Filter::ThreeLevels);
+    assert_eq!(options("u.f2.sqrt2").world_alpha, Some(SQRT_2));
+    assert_eq!(options("auto"), Options::default());
+    let refs = |triangles| Notation::Recursive(50).options_for(triangles).max_refs;
+    assert_eq!((refs(0), refs(20_000), refs(1 << 20), refs(1 << 30)), (4096, 4096, 256, 32));
+}
+
+#[test]
+fn names_of_scenes() {
+    assert_eq!((short("kitchen"), short("building"), short("bunny")), ("kit", "csb", "bunny"));
+    assert_eq!(scene("kit"), ("kitchen", None));
+    assert_eq!(scene("csbc"), ("building", Some("desk")));
+    assert_eq!(scene("city"), ("city", None));
+}

@@ -1,0 +1,101 @@
+//! Pictures, as the paper renders its own: primary rays, and shadow rays from what they hit.
+
+use hug::{Hit, Profile, Ray, View};
+use hug_bench::clock;
+use hug_bench::figures::Spread;
+use hug_bench::load::Loaded;
+use hug_bench::rounds::{self, Contender};
+use hug_kit::rays;
+use std::hint::black_box;
+
+/// The rays of a picture.
+pub struct Frame {
+    pub view: String,
+    pub size: u32,
+    pub primary: Vec<Ray>,
+    pub shadow: Vec<Ray>,
+    /// Grey values by row and column, for the picture on the page.
+    pub shades: Vec<u8>,
+}
+
+impl Frame {
+    /// Where the hits are is the same in every structure.
+    pub fn new(
+        name: String,
+        camera: &hug_kit::View,
+        size: u32,
+        loaded: &Loaded,
+        view: &View<'_>,
+    ) -> Self {
+        let primary: Vec<rays::Ray> = rays::primary(camera, size).collect();
+        let hits: Vec<Hit> = primary.iter().map(|&r| view.intersect(&bytemuck::cast(r))).collect();
+        let kit: Vec<rays::Hit> = hits.iter().map(|&hit| bytemuck::cast(hit)).collect();
+        let shadow = rays::shadow(&loaded.bounds, size, &primary, &kit).map(bytemuck::cast);
+        let shadow = shadow.collect();
+        let primary: Vec<Ray> = primary.into_iter().map(bytemuck::cast).collect();
+        let mut shades = vec![0; (size * size) as usize];
+        for ((ray, hit), [x, y]) in primary.iter().zip(&hits).zip(rays::primary_pixels(size)) {
+            shades[(y * size + x) as usize] = shade(ray, hit);
+        }
+        Self { view: name, size, primary, shadow, shades }
+    }
+}
+
+/// Grey by the angle between ray and surface; white where nothing is hit.
+fn shade(ray: &Ray, hit: &Hit) -> u8 {
+    if !hit.is_hit() {
+        return 255;
+    }
+    let dot = |a: [f32; 3], b: [f32; 3]| (0..3).map(|k| f64::from(a[k]) * f64::from(b[k])).sum();
+    let (across, n, d): (f64, f64, f64) =
+        (dot(ray.dir, hit.ng), dot(hit.ng, hit.ng), dot(ray.dir, ray.dir));
+    (40.0 + 200.0 * across.abs() / (n * d).sqrt().max(f64::MIN_POSITIVE)) as u8
+}
+
+/// What a picture cost in one structure.
+pub struct Rendered {
+    /// Of all its rays, level by level.
+    pub profile: Profile,
+    /// CPU seconds, the median of the rounds.
+    pub seconds: f64,
+    /// Tests and voxels of each pixel's primary ray, by row and column.
+    pub tests: Vec<u64>,
+    pub voxels: Vec<u64>,
+}
+
+impl Rendered {
+    pub fn new(frame: &Frame, view: &View<'_>, rounds: u32, maps: bool) -> Self {
+        let mut profile = Profile::default();
+        let pixels = (frame.size * frame.size) as usize;
+        let (mut tests, mut voxels) = (vec![0; pixels], vec![0; pixels]);
+        for (ray, [x, y]) in frame.primary.iter().zip(rays::primary_pixels(frame.size)) {
+            let mut seen = Profile::default();
+            view.intersect_profiled(ray, &mut seen);
+            profile.add(&seen);
+            let pixel = (y * frame.size + x) as usize;
+            (tests[pixel], voxels[pixel]) = (seen.total().tests, seen.total().voxels);
+        }
+        for ray in &frame.shadow {
+            view.occluded_profiled(ray, &mut profile);
+        }
+        if !maps {
+            (tests, voxels) = (Vec::new(), Vec::new());
+        }
+        Self { profile, seconds: time(frame, view, rounds), tests, voxels }
+    }
+}
+
+/// By the queries that count nothing.
+fn time(frame: &Frame, view: &View<'_>, rounds: u32) -> f64 {
+    let whole: Contender<'_> = Box::new(|items| {
+        let share = |rays: &[Ray]| rays.len() * items / frame.primary.len().max(1);
+        for ray in &frame.primary[..share(&frame.primary)] {
+            black_box(view.intersect(ray));
+        }
+        for ray in &frame.shadow[..share(&frame.shadow)] {
+            black_box(view.occluded(ray));
+        }
+    });
+    let times = rounds::run(&mut [whole], frame.primary.len(), rounds as usize, clock::thread);
+    Spread::of(times.into_iter().flatten()).median
+}

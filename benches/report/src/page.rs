@@ -1,0 +1,194 @@
+//! The page: everything in one file.
+
+use crate::claims::{self, Claim};
+use crate::measure::{Built, CLASSES, SHARE, Subject};
+use crate::pictures::{heat, slice};
+use crate::plots::curve;
+use crate::plots::distribution::Distribution;
+use crate::sheet::Sheet;
+use crate::tables::{lengths, occupancy, performance, rendering};
+use hug::cumulated;
+use hug_bench::machine;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+const STYLE: &str = include_str!("style.css");
+
+/// The page, and the tables on it.
+pub struct Report {
+    pub page: String,
+    pub sheets: Vec<Sheet>,
+}
+
+impl Report {
+    pub fn new(subjects: &[Subject], command: &str) -> Result<Self, String> {
+        let judged: Vec<Claim> = claims::all(subjects);
+        let mut sheets = vec![lengths::sheet(subjects), claims::sheet(&judged)];
+        let mut sections = Vec::new();
+        for subject in subjects {
+            sections.push(section(subject, &mut sheets)?);
+        }
+        let title = "hug: the paper's instruments";
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    title { (title) }
+                    style { (PreEscaped(STYLE)) }
+                }
+                body {
+                    h1 { (title) }
+                    p { "The tables, plots and claims of F. Cazals and C. Puech, "
+                        em { "Bucket-like Space Partitioning Data Structures with Applications to Ray-Tracing" }
+                        " (1997), repeated. " (machine::line()) ". " code { (command) } }
+                    (reading())
+                    nav { a href="#claims" { "claims" } @for s in subjects {
+                        " " a href={ "#" (s.short) } { (s.loaded.name) }
+                    } }
+                    section { h2 { "Scenes" } (sheets[0].page()) }
+                    section #claims { h2 { "Claims" } (sheets[1].page()) }
+                    @for section in &sections { (section) }
+                }
+            }
+        };
+        Ok(Self { page: page.into_string(), sheets })
+    }
+}
+
+/// What the names and the readings are.
+fn reading() -> Markup {
+    html! {
+        details {
+            summary { "How to read it" }
+            ul {
+                li { "Configurations are named as in the paper: " code { "kit.g28" } " is the kitchen in a uniform grid of 28 x 28 x 28 voxels, "
+                    code { "kit.r50" } " in a recursive grid with MAXP = 50, " code { "kit.u.f3.sqrt2" }
+                    " in a HUG of three levels with the sqrt(2) criterion. They have the same count along every axis, steps of one voxel and the paper's hierarchy with clusters of any size. "
+                    code { "auto" } " is not the paper's: it is what the library builds unless it is told otherwise, with proportional counts and exit boxes." }
+                li { "Levels are numbered as in the paper: 0 is the deepest." }
+                li { "The tables take the reading in which figures 14 and 17 are printed: %obj is of the sum of all levels' objects, mu_og is %obj / %grids, mu_ov counts references. The other readings have a table of their own." }
+                li { "A picture is one primary ray a pixel, and one shadow ray a pixel on average." }
+                li { "Charts have two scales: bars are read on the left, the cumulated line on the right." }
+            }
+        }
+    }
+}
+
+fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String> {
+    let mut performance = performance::bottom(subject);
+    performance.push(rendering::successes(subject));
+    let performance = shown(performance, sheets);
+    let mut structures = Vec::new();
+    for built in &subject.built {
+        let mut tables = occupancy::sheets(built);
+        tables.extend((0..subject.frames.len()).map(|f| rendering::sheet(subject, built, f)));
+        let tables = shown(tables, sheets);
+        structures.push(structure(built, &tables)?);
+        // Long, and drawn: a file alone.
+        sheets.push(occupancy::histogram(built));
+    }
+    sheets.push(lengths::histogram(subject));
+    Ok(html! {
+        section id=(subject.short) {
+            h2 { (subject.loaded.name) }
+            div.pictures { figure.plot { (PreEscaped(length_chart(subject)?)) } }
+            (heat::views(subject)?)
+            h3 { "Performance" }
+            @for table in &performance { (table) }
+            @if let Some(chart) = curve_chart(subject)? {
+                figure.plot { (PreEscaped(chart)) }
+            }
+            h3 { "Structures" }
+            @for part in &structures { (part) }
+            h3 { "Pictures" }
+            (slice::all(subject)?)
+            (heat::all(subject)?)
+        }
+    })
+}
+
+/// Tables for the page; they also become files.
+fn shown(tables: Vec<Sheet>, sheets: &mut Vec<Sheet>) -> Vec<Markup> {
+    let pages = tables.iter().map(Sheet::page).collect();
+    sheets.extend(tables);
+    pages
+}
+
+fn structure(built: &Built, tables: &[Markup]) -> Result<Markup, String> {
+    let mut charts = Vec::new();
+    for (level, counts) in built.histograms.iter().enumerate() {
+        if counts.iter().any(|&n| n > 0) {
+            charts.extend(occupancy_charts(built, level, counts)?);
+        }
+    }
+    Ok(html! {
+        details {
+            summary { (built.name) }
+            @for table in tables { (table) }
+            div.pictures { @for chart in &charts { figure.plot { (PreEscaped(chart)) } } }
+        }
+    })
+}
+
+fn percentages(counts: &[u64], whole: u64) -> (Vec<f64>, Vec<f64>) {
+    let percent = counts.iter().map(|&n| 100.0 * n as f64 / whole.max(1) as f64).collect();
+    let mut sums = vec![0.0; counts.len()];
+    cumulated(counts, whole, &mut sums);
+    (percent, sums)
+}
+
+/// Voxels by their triangles; where few are far fuller than the rest, also the left part alone.
+fn occupancy_charts(built: &Built, level: usize, counts: &[u64]) -> Result<Vec<String>, String> {
+    let whole = counts.iter().sum();
+    let chart = |title: &str, counts: &[u64], width: usize| {
+        let grouped: Vec<u64> = counts.chunks(width).map(|some| some.iter().sum()).collect();
+        let (percent, cumulated) = percentages(&grouped, whole);
+        let x = match width {
+            1 => "triangles a voxel refers to".to_owned(),
+            _ => format!("triangles a voxel refers to, in classes of {width}"),
+        };
+        // A bar stands over its number.
+        let (percent, cumulated) = (&percent[..], &cumulated[..]);
+        Distribution { title, x: &x, percent, cumulated, start: -0.5, width: width as f64 }.svg()
+    };
+    let title = format!("{}, level {level}", built.name);
+    let mut charts = vec![chart(&title, counts, counts.len().div_ceil(BARS))?];
+    if counts.len() > 2 * ZOOM {
+        charts.push(chart(&format!("{title}: the left part"), &counts[..ZOOM], 1)?);
+    }
+    Ok(charts)
+}
+
+/// Most bars of a chart: more could not be seen.
+const BARS: usize = 120;
+
+/// Classes of the left part.
+const ZOOM: usize = 41;
+
+fn length_chart(subject: &Subject) -> Result<String, String> {
+    let (percent, sums) = percentages(&subject.length_counts, subject.lengths.count);
+    Distribution {
+        title: &format!("{}: lengths of the triangles", subject.loaded.name),
+        x: "length over the largest",
+        percent: &percent,
+        cumulated: &sums,
+        start: 0.0,
+        width: SHARE / CLASSES as f64,
+    }
+    .svg()
+}
+
+/// Time over memory, in the first view.
+fn curve_chart(subject: &Subject) -> Result<Option<String>, String> {
+    let point = |b: &Built| Some((b.megabytes(), 1e3 * b.time(0)?, b.notation.to_string()));
+    let recursive = subject.all_recursive();
+    if recursive.len() < 3 || subject.frames.is_empty() {
+        return Ok(None);
+    }
+    let line: Vec<_> = recursive.iter().filter_map(|b| point(b)).collect();
+    let others = subject.built.iter().filter(|b| !recursive.iter().any(|r| r.name == b.name));
+    let dots: Vec<_> = others.filter_map(point).collect();
+    let title = format!("{}, view {}: time for memory", subject.short, subject.frames[0].view);
+    curve::svg(&title, &line, &dots).map(Some)
+}
