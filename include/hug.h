@@ -38,7 +38,8 @@
 
 /**
  * hug_build flag: the scene keeps the build's scratch memory, so that hug_rebuild
- * allocates nothing. hug_free frees it too.
+ * allocates nothing, and has room for an arena larger by half. hug_free frees
+ * it too.
  */
 #define HUG_BUILD_KEEP_SCRATCH 4
 
@@ -1087,8 +1088,9 @@ const void *hug_data(const hug_scene *scene, size_t *len);
  * for others the scratch memory is, by the scene's allocator, and freed again.
  * alloc, free and user of desc are not used, and HUG_BUILD_KEEP_SCRATCH in it
  * changes nothing. HUG_ERROR_BUFFER_TOO_SMALL if what is there does not suffice: the
- * arena for the new structure, or the kept scratch memory (more triangles, or
- * options with larger bounds in hug_measure).
+ * arena for the new structure, which has room for half as much again with
+ * HUG_BUILD_KEEP_SCRATCH, or the kept scratch memory (more triangles, or options with
+ * larger bounds in hug_measure).
  *
  * After an error the scene is as it was before, with one exception: a build that
  * fails or is cancelled when it has begun to write, about half-way, leaves an

@@ -49,14 +49,19 @@ pub unsafe extern "C" fn hug_build(
         let parsed = unsafe { Parsed::read(desc) }?;
         let allocator = Allocator::new(&parsed.desc)?;
         let mut scratch = Block::scratch(&allocator, parsed.scratch_bytes()?)?;
+        let keep = parsed.desc.flags & HUG_BUILD_KEEP_SCRATCH != 0;
         let block = Callbacks::new(&parsed.desc).run(|control| {
             let (soup, scratch) = parsed.soup(scratch.bytes())?;
             let plan = build::plan_with(soup, &parsed.options, scratch, control)?;
-            let mut block = Block::scene(&allocator, plan.arena_bytes())?;
+            let bytes = plan.arena_bytes();
+            // Triangles that have moved may be in more voxels.
+            let room = if keep { bytes / 2 } else { 0 };
+            let size = bytes.checked_add(room).ok_or(Error::Overflow)?;
+            let mut block = Block::scene(&allocator, size)?;
             plan.write_with(block.bytes(), control)?;
             Ok(block)
         })?;
-        let kept = (parsed.desc.flags & HUG_BUILD_KEEP_SCRATCH != 0).then_some(scratch);
+        let kept = keep.then_some(scratch);
         // SAFETY: out was checked above.
         unsafe { out.write(block.into_scene(kept)) };
         Ok(())

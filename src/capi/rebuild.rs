@@ -18,8 +18,9 @@ use crate::{Error, Options};
 /// for others the scratch memory is, by the scene's allocator, and freed again.
 /// alloc, free and user of desc are not used, and HUG_BUILD_KEEP_SCRATCH in it
 /// changes nothing. HUG_ERROR_BUFFER_TOO_SMALL if what is there does not suffice: the
-/// arena for the new structure, or the kept scratch memory (more triangles, or
-/// options with larger bounds in hug_measure).
+/// arena for the new structure, which has room for half as much again with
+/// HUG_BUILD_KEEP_SCRATCH, or the kept scratch memory (more triangles, or options with
+/// larger bounds in hug_measure).
 ///
 /// After an error the scene is as it was before, with one exception: a build that
 /// fails or is cancelled when it has begun to write, about half-way, leaves an

@@ -113,7 +113,8 @@ pub const HUG_BUILD_PLAIN_STEPS: u32 = 1;
 pub const HUG_BUILD_COMPACT: u32 = 2;
 
 /// hug_build flag: the scene keeps the build's scratch memory, so that hug_rebuild
-/// allocates nothing. hug_free frees it too.
+/// allocates nothing, and has room for an arena larger by half. hug_free frees
+/// it too.
 pub const HUG_BUILD_KEEP_SCRATCH: u32 = 4;
 
 /// hug_open flag: the bytes come from this library and are not checked.
