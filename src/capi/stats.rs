@@ -162,6 +162,17 @@ pub extern "C" fn hug_isa() -> *const c_char {
     crate::isa().name().as_ptr()
 }
 
+/// Whether a string is `other`, without the C library's `strlen`: freestanding programs
+/// have none.
+///
+/// # Safety
+/// `name` is a string.
+unsafe fn same(name: *const c_char, other: &CStr) -> bool {
+    let mut bytes = other.to_bytes_with_nul().iter().enumerate();
+    // SAFETY: not beyond the first difference, so not beyond the string's end.
+    bytes.all(|(i, &byte)| unsafe { name.add(i).read() } as u8 == byte)
+}
+
 /// Makes all queries of the process run on the instruction set of this name,
 /// for tests and comparisons. HUG_ERROR_INVALID_VALUE, and no change, if the
 /// name is unknown or the processor does not have it.
@@ -175,8 +186,7 @@ pub unsafe extern "C" fn hug_force_isa(name: *const c_char) -> hug_status {
             return Err(Error::Null);
         }
         // SAFETY: a string by contract.
-        let name = unsafe { CStr::from_ptr(name) };
-        let known = Isa::ALL.into_iter().find(|isa| isa.name() == name);
+        let known = Isa::ALL.into_iter().find(|isa| unsafe { same(name, isa.name()) });
         match known {
             Some(isa) if force_isa(isa) => Ok(()),
             _ => Err(Error::InvalidValue),
