@@ -1,6 +1,7 @@
 //! What a walk counts, or does not.
 
 use crate::ray::Ray;
+use crate::simd::Isa;
 use crate::triangle::Corners;
 
 /// What queries did; a counted query adds to it. The same numbers on every
@@ -33,6 +34,15 @@ pub(crate) trait Count: Copy {
     fn tests(&mut self, _: usize) {}
     fn hit(&mut self) {}
     fn look(&mut self, _: &Ray, _: &impl Corners) {}
+}
+
+/// The best instruction set of x86-64 that walks are compiled for which count so.
+pub(super) const fn best<C: Count>() -> Isa {
+    match (C::COUNTS, C::LOOKS) {
+        (false, _) => Isa::Avx512,
+        (true, false) => Isa::Avx2,
+        (true, true) => Isa::Portable,
+    }
 }
 
 /// Counts nothing.

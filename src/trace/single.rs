@@ -1,12 +1,12 @@
 //! One ray at a time.
 
-use super::counters::{Count, Counters, Uncounted};
+use super::counters::{Count, Counters, Uncounted, best};
 use super::profile::Profile;
 use super::query::{Any, Closest, Query, usable, visible};
 use super::walk::Walk;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Lanes, Portable, dispatch, fpenv};
+use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv};
 use crate::triangle::Line;
 
 /// A query of one ray in a scene that is not empty.
@@ -19,6 +19,7 @@ struct Single<'a, Q, C> {
 
 impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     type Out = Q::Out;
+    const BEST: Isa = best::<C>();
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
         if !usable(lanes, self.ray) {

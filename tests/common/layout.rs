@@ -132,7 +132,7 @@ pub fn lists(bytes: &[u8]) -> Vec<List> {
 pub fn towers(levels: usize, width: usize) -> Aligned {
     let grids = 1 + (levels - 1) * width;
     let above = 1 + (levels - 2) * width;
-    let refs = above * (2 + width) + width * 3;
+    let refs = above * (2 + 2 * width) + width * 4;
     let counts = [grids, grids, refs, 1];
     let mut offsets = [0; 4];
     let mut end = HEADER;
@@ -143,7 +143,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
     let mut bytes = Aligned::filled(end, 0);
     bytes[..8].copy_from_slice(b"hug-rt\r\n");
     put32(&mut bytes, BYTE_ORDER, 0x0102_0304);
-    put32(&mut bytes, VERSION, 2);
+    put32(&mut bytes, VERSION, 3);
     put_f64(&mut bytes, UNIT, 1.0);
     put64(&mut bytes, BYTES, end as u64);
     put32(&mut bytes, STRUCTURE, 3);
@@ -180,8 +180,10 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
         put32(&mut bytes, head + 4, list.len() as u32);
         for (i, r) in list.iter().enumerate() {
             put32(&mut bytes, head + 8 + 4 * i, *r);
+            // Its box is the whole exit box.
+            put32(&mut bytes, head + 8 + 4 * (list.len() + i), 31 << 5 | 31 << 15 | 31 << 25);
         }
-        next += 2 + list.len();
+        next += 2 + 2 * list.len();
     }
     let triangle = record(&bytes, TRIANGLES, 0);
     for (place, value) in

@@ -16,12 +16,12 @@ mod phases;
 mod queues;
 mod slot;
 
-use super::counters::{Count, Counters, Uncounted};
+use super::counters::{Count, Counters, Uncounted, best};
 use super::profile::Profile;
 use super::query::{Any, Closest, Query, usable};
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Lanes, dispatch, fpenv};
+use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
 use phases::Common;
 use queues::{Phase, Queues, SLOTS};
 use slot::{Frame, Slot};
@@ -129,6 +129,7 @@ struct Run<'a, 'p, Q: Query, C> {
 
 impl<Q: Query, C: Count> AnyKernel for Run<'_, '_, Q, C> {
     type Out = ();
+    const BEST: Isa = best::<C>();
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, n, counters } = self;
