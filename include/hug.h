@@ -1154,7 +1154,7 @@ int32_t hug_occluded_counted(const hug_scene *scene, const hug_ray *ray, hug_cou
  * With a NULL pointer nothing is done.
  *
  * For many rays this takes less time than as many calls of hug_intersect, alike
- * or not: some 32 are under way at a time. It takes about 40 kB of stack.
+ * or not: some 32 are under way at a time. It takes about 100 kB of stack.
  *
  * # Safety
  * The rays must be readable and the hits writable, at their strides.
