@@ -9,6 +9,7 @@
 //! rounding of a plane here: of the place, the width and the sum, `3 n e`, with n at
 //! most 2^11.
 
+use super::counters::Count;
 use super::course::Mirror;
 use super::local::Boxes;
 use crate::arena::Sections;
@@ -48,17 +49,22 @@ impl Few {
     /// None yet.
     pub const NONE: Self = Self { refs: [0; BATCH + 8], len: 0 };
 
-    /// Those of a part of a list whose boxes the ray meets; with `ALL` each. Not inlined:
+    /// Those of a part of a list whose boxes the ray meets; each where tests are
+    /// counted. Not inlined:
     /// it needs all registers for itself.
     #[inline(never)]
-    pub fn fill<const ALL: bool, L: Lanes>(
+    pub fn fill<C: Count, L: Lanes>(
         &mut self,
         l: L,
         sections: &Sections<'_>,
         part: Part,
         boxes: &Boxes,
     ) {
-        l.run(Fill::<ALL> { few: self, sections, part, boxes });
+        if C::COUNTS {
+            l.run(Fill::<true> { few: self, sections, part, boxes });
+        } else {
+            l.run(Fill::<false> { few: self, sections, part, boxes });
+        }
     }
 
     /// All of them.
@@ -92,6 +98,7 @@ impl Few {
     }
 }
 
+/// [`Few::fill`], compiled for an instruction set.
 struct Fill<'w, 'a, const ALL: bool> {
     few: &'w mut Few,
     sections: &'w Sections<'a>,

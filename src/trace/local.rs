@@ -18,6 +18,7 @@
 //! a hit at t is found in the voxel whose interval contains t, so the walk's end
 //! needs no padding at all.
 
+use super::counters::Count;
 use super::course::{Course, Mirror};
 use super::rebase::rebase;
 use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, EXIT_MAX, Grid};
@@ -194,25 +195,19 @@ impl<L: Lanes> Local<L> {
         }
     }
 
-    /// Leaves the exit box `exit` of voxel `at`. With `EXACT`, which voxels are
-    /// stepped to depends on no instruction set.
+    /// Leaves the exit box `exit` of voxel `at`. Where steps are counted it
+    /// is rounded once, so that their number depends on no instruction set.
     #[inline(always)]
-    pub fn step<const EXACT: bool>(
-        &self,
-        l: L,
-        course: &Course<L>,
-        at: L::I32,
-        exit: u32,
-    ) -> Step<L> {
+    pub fn step<C: Count>(&self, l: L, course: &Course<L>, at: L::I32, exit: u32) -> Step<L> {
         // The planes behind the box, and where the ray is at the first of them.
         let behind = l.add(l.add(at, l.splat_i32(1)), reach(l, exit, &course.mirror.far.shift));
-        let leave = l.mul_add::<EXACT>(l.to_f32(behind), self.pace, self.zero);
+        let leave = mul_add::<C, L>(l, l.to_f32(behind), self.pace, self.zero);
         let lowest = l.lowest(leave);
         // Off the axis of the exit the position says where, inside the box.
         let exits = l.equal(leave, lowest);
         let low = l.select(exits, at, behind);
         let high = l.sub(l.sub(behind, l.splat_i32(1)), exits);
-        let position = l.truncate(l.mul_add::<EXACT>(lowest, self.speed, self.start));
+        let position = l.truncate(mul_add::<C, L>(l, lowest, self.speed, self.start));
         Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
     }
 
@@ -235,6 +230,11 @@ impl<L: Lanes> Local<L> {
     pub fn high(&self, s: f32) -> f64 {
         f64::from(s) + self.base + self.slack
     }
+}
+
+#[inline(always)]
+fn mul_add<C: Count, L: Lanes>(l: L, a: L::F32, b: L::F32, c: L::F32) -> L::F32 {
+    if C::COUNTS { l.mul_add::<true>(a, b, c) } else { l.mul_add::<false>(a, b, c) }
 }
 
 /// How far an exit box reaches beyond its voxel, on the sides that `shifts` are of.

@@ -8,6 +8,7 @@
 mod bounds;
 mod counters;
 mod course;
+mod decided;
 mod local;
 mod profile;
 mod query;

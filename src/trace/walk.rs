@@ -13,17 +13,15 @@
 use super::bounds::{BATCH, Few, Part};
 use super::counters::Count;
 use super::course::Course;
-use super::local::{Boxes, Local, Step};
+use super::decided::Decided;
+use super::local::{Boxes, Local};
 use super::query::{Query, beyond, visible};
 use super::sieve::{Sieve, chunk};
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
-use crate::ray::{NONE, Ray};
+use crate::ray::Ray;
 use crate::simd::{Kernel, Lanes};
 use crate::triangle::Line;
-
-/// Entries of [`Walk::decided`].
-const DECIDED: usize = 8;
 
 /// References up to which a list is sieved as it is: for a ray alone, looking at boxes
 /// first takes longer.
@@ -47,9 +45,7 @@ pub(crate) struct Walk<'a, Q, C, L: Lanes> {
     ray: &'a Ray,
     sieve: Sieve<'a>,
     course: Course<L>,
-    /// Triangles that were decided lately, by the low bits of their numbers: what is
-    /// in many voxels is decided once.
-    decided: [u32; DECIDED],
+    decided: Decided,
     pub query: Q,
     counters: &'a mut C,
 }
@@ -114,7 +110,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             ray,
             sieve: Sieve::new(l, &sections, ray, [org, dir], [l.load_f32(lo), l.load_f32(hi)]),
             course: Course::new(l, org, dir, view.header().unit),
-            decided: [NONE; DECIDED],
+            decided: Decided::NONE,
             query,
             counters,
         }
@@ -153,11 +149,11 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
             let step = if tag == EMPTY {
                 // The tag's bits are beyond those of the exit box, and 0.
-                self.step(&local, at, voxel)
+                local.step::<C>(l, &self.course, at, voxel)
             } else {
                 let (exit, refs) =
                     if tag == LIST { self.sections.list(payload) } else { (0, &[][..]) };
-                let step = self.step(&local, at, exit);
+                let step = local.step::<C>(l, &self.course, at, exit);
                 let short = refs.len() <= SHORT && refs.last().is_none_or(|r| r & GRID_BIT == 0);
                 let met = if tag == LIST && short {
                     self.triangles(refs)
@@ -193,17 +189,6 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         }
     }
 
-    /// Rounded once wherever steps are counted, so that their number depends on
-    /// no instruction set.
-    #[inline(always)]
-    fn step(&self, local: &Local<L>, at: L::I32, exit: u32) -> Step<L> {
-        if C::COUNTS {
-            local.step::<true>(self.lanes, &self.course, at, exit)
-        } else {
-            local.step::<false>(self.lanes, &self.course, at, exit)
-        }
-    }
-
     /// [`Walk::long`], so that the walk's registers are not spilled elsewhere.
     #[cold]
     fn long_apart(&mut self, place: u32, boxes: &Boxes, taus: [f64; 2]) -> Met {
@@ -221,11 +206,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         let mut at = 0;
         while at < len && met != Met::Enough {
             let part = Part::new(place, len, at, len);
-            if C::COUNTS {
-                few.fill::<true, L>(l, &sections, part, boxes);
-            } else {
-                few.fill::<false, L>(l, &sections, part, boxes);
-            }
+            few.fill::<C, L>(l, &sections, part, boxes);
             let (triangles, grids) = few.split();
             met = met.max(self.triangles(triangles));
             for r in grids {
@@ -259,9 +240,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];
                 left &= left - 1;
-                let decided = &mut self.decided[number as usize % DECIDED];
-                if *decided != number || C::COUNTS {
-                    *decided = number;
+                if self.decided.is_due::<C>(number) {
                     if self.decide_apart(number) {
                         return Met::Enough;
                     }

@@ -9,7 +9,7 @@ use super::super::local::{Local, Step};
 use super::super::query::{Query, visible};
 use super::super::sieve::chunk;
 use super::queues::Phase;
-use super::slot::{DECIDED, Frame, Refs, Slot};
+use super::slot::{Frame, Refs, Slot};
 use crate::arena::Sections;
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, LIST_HEAD, PAYLOAD, TAG_SHIFT};
 use crate::simd::Lanes;
@@ -88,11 +88,7 @@ impl<Q: Query, C: Count, L: Lanes> Slot<'_, Q, C, L> {
     pub fn look(&mut self, with: &mut Common<'_, '_, C, L>) -> Phase {
         let Refs { at, end } = self.triangles;
         let part = Part::new(self.place, self.len, at, end);
-        if C::COUNTS {
-            self.few.fill::<true, L>(with.lanes, &with.sections, part, &self.boxes);
-        } else {
-            self.few.fill::<false, L>(with.lanes, &with.sections, part, &self.boxes);
-        }
+        self.few.fill::<C, L>(with.lanes, &with.sections, part, &self.boxes);
         self.triangles.at = end.min(at + BATCH as u32);
         if self.few.drop_grids() {
             let (_, refs) = with.sections.list(self.place);
@@ -150,9 +146,7 @@ impl<Q: Query, C: Count, L: Lanes> Slot<'_, Q, C, L> {
         let first = (self.sieved - 1) / chunk * chunk;
         let number = self.few.any((first + self.left.trailing_zeros()) as usize);
         self.left &= self.left - 1;
-        let decided = &mut self.decided[number as usize % DECIDED];
-        if *decided != number || C::COUNTS {
-            *decided = number;
+        if self.decided.is_due::<C>(number) {
             let triangle = with.sections.triangle(number);
             if visible(&self.ray, triangle)
                 && let Some(enough) = self.query.meet(&Line::new(&self.ray), triangle, number)
@@ -171,11 +165,7 @@ impl<Q: Query, C: Count, L: Lanes> Slot<'_, Q, C, L> {
 
     #[inline(always)]
     fn step(&self, with: &Common<'_, '_, C, L>) -> Step<L> {
-        if C::COUNTS {
-            self.local.step::<true>(with.lanes, &self.course, self.at, self.exit)
-        } else {
-            self.local.step::<false>(with.lanes, &self.course, self.at, self.exit)
-        }
+        self.local.step::<C>(with.lanes, &self.course, self.at, self.exit)
     }
 
     /// Leaves the exit box.

@@ -3,16 +3,14 @@
 use super::super::bounds::Few;
 use super::super::counters::Count;
 use super::super::course::Course;
+use super::super::decided::Decided;
 use super::super::local::{Boxes, Local};
 use super::super::query::{Query, beyond};
 use super::super::sieve::Sieve;
 use super::queues::Phase;
 use crate::arena::View;
-use crate::ray::{NONE, Ray};
+use crate::ray::Ray;
 use crate::simd::Lanes;
-
-/// Entries of [`Slot::decided`].
-pub(super) const DECIDED: usize = 8;
 
 /// Some of a list's references: their numbers in it.
 #[derive(Clone, Copy, Default)]
@@ -36,8 +34,7 @@ pub(super) struct Slot<'a, Q, C: Count, L: Lanes> {
     pub query: Q,
     pub course: Course<L>,
     pub sieve: Sieve<'a>,
-    /// Triangles that were decided lately, by the low bits of their numbers.
-    pub decided: [u32; DECIDED],
+    pub decided: Decided,
     /// The grid to enter, and the range of tau to walk there.
     pub grid: u32,
     pub range: [f64; 2],
@@ -92,7 +89,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Slot<'a, Q, C, L> {
                 [org, dir],
                 [l.load_f32(lo), l.load_f32(hi)],
             ),
-            decided: [NONE; DECIDED],
+            decided: Decided::NONE,
             grid: 0,
             // A t that rounds to tmin may lie below it, one that rounds to tmax above.
             range: [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t],
