@@ -207,6 +207,11 @@ impl Lanes for Neon {
             vcvtq_f32_u32(vandq_u32(words, vld1q_u32(mask.as_ptr())));
         fn mul_add_wide(self, a: Wide, b: Wide, c: Wide) -> Wide = vfmaq_f32(c, a, b);
         fn at_most(self, a: Wide, b: Wide) -> u32 = bits(vcleq_f32(a, b), 15);
+        fn load_wide(self, a: &[f32; 8]) -> Wide = vld1q_f32(a.as_ptr());
+        fn store_wide(self, a: Wide, to: &mut [f32; 8]) -> () = vst1q_f32(to.as_mut_ptr(), a);
+        fn truncate_wide(self, a: Wide) -> Wide = vrndq_f32(a);
+        fn choose_wide(self, a: Wide, b: Wide, x: Wide, y: Wide) -> Wide =
+            vbslq_f32(vcleq_f32(a, b), x, y);
         fn splat_wide(self, a: f32) -> Wide = vdupq_n_f32(a);
         fn sub_wide(self, a: Wide, b: Wide) -> Wide = vsubq_f32(a, b);
         fn mul_wide(self, a: Wide, b: Wide) -> Wide = vmulq_f32(a, b);
@@ -241,6 +246,21 @@ impl Lanes for Neon {
             let words = vreinterpretq_f32_u32(vld1q_u32(words.as_ptr()));
             let few = self.permute(words, &ORDERS[mask as usize % ORDERS.len()]);
             vst1q_u32(to.as_mut_ptr(), vreinterpretq_u32_f32(few));
+        });
+    }
+    #[inline(always)]
+    fn numbers(
+        self,
+        near: Wide,
+        far: Wide,
+        stride: &[u32; 8],
+        first: &[u32; 8],
+        to: &mut [u32; 8],
+    ) {
+        with!({
+            let near = vaddq_u32(vcvtq_u32_f32(near), vld1q_u32(first.as_ptr()));
+            let far = vmulq_u32(vcvtq_u32_f32(far), vld1q_u32(stride.as_ptr()));
+            vst1q_u32(to.as_mut_ptr(), vaddq_u32(near, far));
         });
     }
     #[inline(always)]

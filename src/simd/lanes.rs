@@ -114,7 +114,24 @@ pub(crate) trait Lanes: Copy {
     fn thrice(self, numbers: &[u32]) -> [u32; 8];
     /// The first, second and third numbers of `row(0)`, `row(1)` and so on.
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [Self::Wide; 3];
+    fn load_wide(self, a: &[f32; 8]) -> Self::Wide;
+    /// Writes the first [`Lanes::WIDE`].
+    fn store_wide(self, a: Self::Wide, to: &mut [f32; 8]);
     fn splat_wide(self, a: f32) -> Self::Wide;
+    /// Towards zero; what is too large for an `i32`, and NaN, give any number.
+    fn truncate_wide(self, a: Self::Wide) -> Self::Wide;
+    /// `x` where `a <= b`, else `y`.
+    fn choose_wide(self, a: Self::Wide, b: Self::Wide, x: Self::Wide, y: Self::Wide) -> Self::Wide;
+    /// `first + near + far * stride`, of whole numbers, modulo 2^32; what is too large for an
+    /// `i32`, and NaN, give any number.
+    fn numbers(
+        self,
+        near: Self::Wide,
+        far: Self::Wide,
+        stride: &[u32; 8],
+        first: &[u32; 8],
+        to: &mut [u32; 8],
+    );
     fn sub_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn mul_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn add_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;

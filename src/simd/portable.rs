@@ -303,6 +303,36 @@ impl Lanes for Portable {
         [0, 1, 2].map(|k| [rows[0][k], rows[1][k], rows[2][k], rows[3][k]])
     }
     #[inline(always)]
+    fn load_wide(self, a: &[f32; 8]) -> [f32; 4] {
+        core::array::from_fn(|k| a[k])
+    }
+    #[inline(always)]
+    fn store_wide(self, a: [f32; 4], to: &mut [f32; 8]) {
+        to[..4].copy_from_slice(&a);
+    }
+    #[inline(always)]
+    fn truncate_wide(self, a: [f32; 4]) -> [f32; 4] {
+        a.map(|a| a as i32 as f32)
+    }
+    #[inline(always)]
+    fn choose_wide(self, a: [f32; 4], b: [f32; 4], x: [f32; 4], y: [f32; 4]) -> [f32; 4] {
+        core::array::from_fn(|k| if a[k] <= b[k] { x[k] } else { y[k] })
+    }
+    #[inline(always)]
+    fn numbers(
+        self,
+        near: [f32; 4],
+        far: [f32; 4],
+        stride: &[u32; 8],
+        first: &[u32; 8],
+        to: &mut [u32; 8],
+    ) {
+        for k in 0..4 {
+            let far = (far[k] as i32 as u32).wrapping_mul(stride[k]);
+            to[k] = (near[k] as i32 as u32).wrapping_add(first[k]).wrapping_add(far);
+        }
+    }
+    #[inline(always)]
     fn splat_wide(self, a: f32) -> [f32; 4] {
         [a; 4]
     }

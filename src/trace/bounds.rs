@@ -73,21 +73,6 @@ impl Few {
         &self.refs[..self.len]
     }
 
-    /// Number `i`, or any.
-    #[inline(always)]
-    pub fn any(&self, i: usize) -> u32 {
-        self.refs[i % BATCH]
-    }
-
-    /// Leaves triangles alone; whether there were grids.
-    #[inline(always)]
-    pub fn drop_grids(&mut self) -> bool {
-        let (triangles, grids) = self.split();
-        let (len, dropped) = (triangles.len(), !grids.is_empty());
-        self.len = len;
-        dropped
-    }
-
     /// Triangles and grids.
     #[inline(always)]
     pub fn split(&self) -> (&[u32], &[u32]) {
@@ -128,7 +113,7 @@ impl<const ALL: bool, L: Lanes> Kernel<L> for Fill<'_, '_, ALL> {
 }
 
 /// [`Boxes`] for [`Lanes::WIDE`] of them.
-struct Planes<L: Lanes> {
+pub(super) struct Planes<L: Lanes> {
     near: [[L::Wide; 3]; 2],
     far: [[L::Wide; 3]; 2],
     range: [L::Wide; 2],
@@ -143,7 +128,7 @@ fn splat3<L: Lanes>(l: L, a: &[f32; 4]) -> [L::Wide; 3] {
 
 impl<L: Lanes> Planes<L> {
     #[inline(always)]
-    fn new(l: L, boxes: &Boxes) -> Self {
+    pub fn new(l: L, boxes: &Boxes) -> Self {
         Self {
             near: [splat3(l, &boxes.near[0]), splat3(l, &boxes.near[1])],
             far: [splat3(l, &boxes.far[0]), splat3(l, &boxes.far[1])],
@@ -154,7 +139,7 @@ impl<L: Lanes> Planes<L> {
 
     /// One bit for each box that the ray meets.
     #[inline(always)]
-    fn met(&self, l: L, boxes: &[u32; 8]) -> u32 {
+    pub fn met(&self, l: L, boxes: &[u32; 8]) -> u32 {
         let words = l.words(boxes);
         let [mut near, mut far] = self.range;
         let mut k = 0;

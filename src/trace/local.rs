@@ -45,14 +45,20 @@ pub(super) struct Local<L: Lanes> {
     /// The counts on mirrored axes, 0 on others.
     back: L::I32,
     /// Number of the first voxel, and voxels in a row and in a plane.
-    first: u32,
-    nx: u32,
-    plane: u32,
+    pub first: u32,
+    pub nx: u32,
+    pub plane: u32,
+    pub span: Span,
+}
+
+/// How far a ray goes in a grid, in s and in tau.
+#[derive(Clone, Copy)]
+pub(super) struct Span {
     /// Parameter tau at s = 0, give or take `slack`.
-    pub base: f64,
-    pub slack: f64,
+    base: f64,
+    slack: f64,
     /// The ray has left the grid, or the part of it that is wanted, at s.
-    pub end: f32,
+    end: f32,
 }
 
 /// Where the boxes of a list's references are along the ray.
@@ -67,13 +73,6 @@ pub(super) struct Boxes {
     pub range: [f32; 2],
 }
 
-impl Boxes {
-    /// None.
-    pub fn nowhere(mirror: &'static Mirror) -> Self {
-        Self { near: [[0.0; 4]; 2], far: [[0.0; 4]; 2], mirror, range: [0.0; 2] }
-    }
-}
-
 /// A step: where the ray leaves an exit box, and the voxel there.
 pub(super) struct Step<L: Lanes> {
     pub out: f32,
@@ -81,26 +80,6 @@ pub(super) struct Step<L: Lanes> {
 }
 
 impl<L: Lanes> Local<L> {
-    /// In no grid yet.
-    pub fn nowhere(l: L) -> Self {
-        let (none, zero) = (l.splat_f32(0.0), l.splat_i32(0));
-        Self {
-            start: none,
-            speed: none,
-            pace: none,
-            zero: none,
-            at: zero,
-            last: zero,
-            back: zero,
-            first: 0,
-            nx: 0,
-            plane: 0,
-            base: 0.0,
-            slack: 0.0,
-            end: 0.0,
-        }
-    }
-
     /// The part of the ray in `[t0, t1]`, of tau, that can lie in the grid's box.
     #[inline(always)]
     pub fn enter(
@@ -154,9 +133,7 @@ impl<L: Lanes> Local<L> {
             first: grid.first,
             nx: u32::from(grid.n[0]),
             plane: u32::from(grid.n[0]) * u32::from(grid.n[1]),
-            base: low + base,
-            slack,
-            end: above(high - low),
+            span: Span { base: low + base, slack, end: above(high - low) },
         })
     }
 
@@ -210,6 +187,11 @@ impl<L: Lanes> Local<L> {
         let position = l.truncate(mul_add::<C, L>(l, lowest, self.speed, self.start));
         Step { out: l.first(lowest), to: l.min(l.max(position, low), high) }
     }
+}
+
+impl Span {
+    /// In no grid yet.
+    pub const NONE: Self = Self { base: 0.0, slack: 0.0, end: 0.0 };
 
     /// Where the walk stops if no tau above `limit` is wanted.
     #[inline(always)]

@@ -29,19 +29,14 @@ const TINY: f32 = 1.0 / (1u128 << 100) as f32;
 pub struct Sieve<'a> {
     /// The triangles along the axes that are x, y, z of the sheared space.
     axes: [Axis<'a>; 3],
-    /// The origin along these axes.
-    org: [f32; 4],
-    /// The change of x and of y with z.
-    slope: [f32; 4],
-    error: f32,
-    error_thrice: f32,
-    /// The range of z where t is in range.
-    range: [f32; 2],
+    /// The origin along these axes; the change of x and of y with z and three times the
+    /// error of a coordinate; the range of z where t is in range.
+    rows: [[f32; 4]; 3],
     /// Component z of the direction, and that of `tmin`.
     dir: f32,
     start: f32,
-    /// Whether the error bound holds.
-    pub holds: bool,
+    /// Whether the error bound holds; if not, nothing is out.
+    holds: bool,
 }
 
 /// Triangles to sieve in one go. As many everywhere where tests are counted: a walk may
@@ -90,27 +85,22 @@ impl<'a> Sieve<'a> {
         let error = far * (8.01 / (1 << 24) as f32);
         let dir = l.first(l.permute(dir, &[2; 4]));
         let start = ray.tmin * dir;
-        Self {
-            axes: [
-                sections.axis(order[0] as usize),
-                sections.axis(order[1] as usize),
-                sections.axis(order[2] as usize),
-            ],
-            org: l.array_f32(org),
-            slope: l.array_f32(slope),
-            error: 3.0 * error,
-            error_thrice: 6.0 * error,
-            range: range(start, dir, ray.tmax),
-            dir,
-            start,
-            holds: (RANGE.start < far) & (far < RANGE.end),
-        }
+        let axis = |k: usize| sections.axis(order[k] as usize);
+        let holds = (RANGE.start < far) & (far < RANGE.end);
+        let mut rows =
+            [l.array_f32(org), l.array_f32(slope), [f32::NEG_INFINITY, f32::INFINITY, 0.0, 0.0]];
+        rows[1][2] = if holds { 3.0 * error } else { f32::INFINITY };
+        let mut sieve = Self { axes: [axis(0), axis(1), axis(2)], rows, dir, start, holds };
+        sieve.limit(ray.tmax);
+        sieve
     }
 
     /// Sets the largest t of interest.
     #[inline(always)]
     pub fn limit(&mut self, limit: f32) {
-        self.range = range(self.start, self.dir, limit);
+        if self.holds {
+            [self.rows[2][0], self.rows[2][1]] = range(self.start, self.dir, limit);
+        }
     }
 
     /// One bit for each of at most [`Lanes::WIDE`] triangles, from references, that
@@ -124,38 +114,73 @@ impl<'a> Sieve<'a> {
         }
         let rows = l.thrice(refs);
         let [x, y, z] = &self.axes;
-        let ([xa, xb, xc], [ya, yb, yc], [za, zb, zc]) = (
+        let triangles = [
             l.columns(|i| x.row(rows[i])),
             l.columns(|i| y.row(rows[i])),
             l.columns(|i| z.row(rows[i])),
-        );
-        let (a, b, c) =
-            (self.shear(l, [xa, ya, za]), self.shear(l, [xb, yb, zb]), self.shear(l, [xc, yc, zc]));
-        let ab = l.cross_wide(a.x, b.y, a.y, b.x);
-        let bc = l.cross_wide(b.x, c.y, b.y, c.x);
-        let ca = l.cross_wide(c.x, a.y, c.y, a.x);
-        let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
-        let error =
-            l.mul_wide(l.splat_wide(self.error), l.add_wide(size, l.splat_wide(self.error_thrice)));
-        let most = l.max_wide(l.max_wide(ab, bc), ca);
-        let least = l.min_wide(l.min_wide(ab, bc), ca);
-        let minus_least = l.sub_wide(l.splat_wide(0.0), least);
-        let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
-        let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
-        let [lo, hi] = [l.splat_wide(self.range[0]), l.splat_wide(self.range[1])];
-        all & !l.misses([most, error], minus_least, [far, lo], [near, hi])
+        ];
+        let rays =
+            self.rows.map(|[a, b, c, _]| [l.splat_wide(a), l.splat_wide(b), l.splat_wide(c)]);
+        all & !misses(l, rays, triangles)
     }
 
-    /// Corners of triangles, sheared.
+    /// One bit for each of [`Lanes::WIDE`] triangles, from references, that a ray of its own
+    /// may meet in range.
     #[inline(always)]
-    fn shear<L: Lanes>(&self, l: L, [x, y, z]: [L::Wide; 3]) -> Corner<L> {
-        let z = l.sub_wide(z, l.splat_wide(self.org[2]));
-        let x = l.sub_wide(x, l.splat_wide(self.org[0]));
-        let x = l.less_product(x, l.splat_wide(self.slope[0]), z);
-        let y = l.sub_wide(y, l.splat_wide(self.org[1]));
-        let y = l.less_product(y, l.splat_wide(self.slope[1]), z);
-        Corner { x, y, z, size: l.add_wide(l.abs_wide(x), l.abs_wide(y)) }
+    pub fn pass_each<'s, L: Lanes>(l: L, sieve: impl Fn(usize) -> &'s Self, refs: &[u32; 8]) -> u32
+    where
+        'a: 's,
+    {
+        let rows = l.thrice(refs);
+        let triangles = [
+            l.columns(|i| sieve(i).axes[0].row(rows[i])),
+            l.columns(|i| sieve(i).axes[1].row(rows[i])),
+            l.columns(|i| sieve(i).axes[2].row(rows[i])),
+        ];
+        let rays = [
+            l.columns(|i| &sieve(i).rows[0]),
+            l.columns(|i| &sieve(i).rows[1]),
+            l.columns(|i| &sieve(i).rows[2]),
+        ];
+        !misses(l, rays, triangles)
     }
+}
+
+/// Coordinates of several triangles: axis by axis those of the corners.
+type Triangles<L> = [[<L as Lanes>::Wide; 3]; 3];
+
+/// One bit for each triangle that its ray misses; `rays` are in the order of
+/// [`Sieve::rows`].
+#[inline(always)]
+fn misses<L: Lanes>(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> u32 {
+    let [org, [sx, sy, error], [lo, hi, _]] = rays;
+    let corner = |i: usize| shear(l, org, [sx, sy], [xs[i], ys[i], zs[i]]);
+    let (a, b, c) = (corner(0), corner(1), corner(2));
+    let ab = l.cross_wide(a.x, b.y, a.y, b.x);
+    let bc = l.cross_wide(b.x, c.y, b.y, c.x);
+    let ca = l.cross_wide(c.x, a.y, c.y, a.x);
+    let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
+    let error = l.mul_wide(error, l.add_wide(size, l.add_wide(error, error)));
+    let most = l.max_wide(l.max_wide(ab, bc), ca);
+    let least = l.min_wide(l.min_wide(ab, bc), ca);
+    let minus_least = l.sub_wide(l.splat_wide(0.0), least);
+    let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
+    let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
+    l.misses([most, error], minus_least, [far, lo], [near, hi])
+}
+
+/// Corners of triangles, sheared.
+#[inline(always)]
+fn shear<L: Lanes>(
+    l: L,
+    org: [L::Wide; 3],
+    slope: [L::Wide; 2],
+    [x, y, z]: [L::Wide; 3],
+) -> Corner<L> {
+    let z = l.sub_wide(z, org[2]);
+    let x = l.less_product(l.sub_wide(x, org[0]), slope[0], z);
+    let y = l.less_product(l.sub_wide(y, org[1]), slope[1], z);
+    Corner { x, y, z, size: l.add_wide(l.abs_wide(x), l.abs_wide(y)) }
 }
 
 /// A corner of several triangles; `size` is |x| + |y|.

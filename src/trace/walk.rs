@@ -142,7 +142,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         };
         let mut at = local.at;
         let mut s = 0.0;
-        let mut stop = local.stop(self.limit());
+        let mut stop = local.span.stop(self.limit());
         loop {
             let voxel = self.sections.voxel(local.number(l, &self.course, at) as usize);
             self.counters.voxel();
@@ -159,7 +159,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                     self.triangles(refs)
                 } else {
                     let until = if step.out < stop { step.out } else { stop };
-                    let taus = [local.low(s), local.high(until)];
+                    let taus = [local.span.low(s), local.span.high(until)];
                     let met = if tag == LIST {
                         let boxes = local.boxes(l, &self.course, at, exit, [s, until]);
                         self.long_apart(payload, &boxes, taus)
@@ -171,7 +171,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 };
                 match met {
                     Met::Nothing => {}
-                    Met::Something => stop = local.stop(self.limit()),
+                    Met::Something => stop = local.span.stop(self.limit()),
                     Met::Enough => return true,
                 }
                 step

@@ -349,6 +349,39 @@ macro_rules! eight_lanes {
             })
         }
         #[inline(always)]
+        fn load_wide(self, a: &[f32; 8]) -> __m256 {
+            with!(_mm256_loadu_ps(a.as_ptr()))
+        }
+        #[inline(always)]
+        fn store_wide(self, a: __m256, to: &mut [f32; 8]) {
+            with!(_mm256_storeu_ps(to.as_mut_ptr(), a))
+        }
+        #[inline(always)]
+        fn truncate_wide(self, a: __m256) -> __m256 {
+            with!(_mm256_round_ps::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>(a))
+        }
+        #[inline(always)]
+        fn choose_wide(self, a: __m256, b: __m256, x: __m256, y: __m256) -> __m256 {
+            with!(_mm256_blendv_ps(y, x, _mm256_cmp_ps::<_CMP_LE_OQ>(a, b)))
+        }
+        #[inline(always)]
+        fn numbers(
+            self,
+            near: __m256,
+            far: __m256,
+            stride: &[u32; 8],
+            first: &[u32; 8],
+            to: &mut [u32; 8],
+        ) {
+            with!({
+                let stride = _mm256_loadu_si256(stride.as_ptr().cast());
+                let first = _mm256_loadu_si256(first.as_ptr().cast());
+                let near = _mm256_add_epi32(_mm256_cvttps_epi32(near), first);
+                let far = _mm256_mullo_epi32(_mm256_cvttps_epi32(far), stride);
+                _mm256_storeu_si256(to.as_mut_ptr().cast(), _mm256_add_epi32(near, far));
+            });
+        }
+        #[inline(always)]
         fn splat_wide(self, a: f32) -> __m256 {
             with!(_mm256_set1_ps(a))
         }

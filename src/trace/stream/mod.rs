@@ -1,30 +1,34 @@
 //! Many rays at a time.
 //!
 //! A ray alone waits: for memory, for its own last result, and after each branch
-//! that was not foreseen. So some [`SLOTS`] rays are in flight, and what they do next
-//! is sorted: all that need to read a voxel do so one after the other, then all that
-//! need to sieve triangles, and so on. Within such a round nothing depends on the
-//! ray before, memory was asked for a round earlier, and there is nearly nothing to
-//! foresee. A ray that has its answer makes room for the next at once, so lanes never
-//! idle, however different the rays are.
+//! that was not foreseen. So some [`SLOTS`](columns::SLOTS) rays are in flight, and all do
+//! the same at the same time (`round`): lanes are rays where they step (`columns`),
+//! boxes where a ray looks at a list (`bounds`), and pairs of any ray and any triangle
+//! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
+//! (`ways`), so lanes never idle, however different the rays are.
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
-//! defines, and the numbers of counted and profiled streams too: each ray takes the
-//! same steps.
+//! defines. What is counted is the paper's walk of each ray, so streams that count
+//! take one ray at a time.
 
-mod phases;
-mod queues;
-mod slot;
+mod columns;
+mod flight;
+mod pairs;
+mod round;
+mod ways;
 
 use super::counters::{Count, Counters, Uncounted, best};
+use super::course::Course;
 use super::profile::Profile;
-use super::query::{Any, Closest, Query, usable};
+use super::query::{Any, Closest, Query};
+use super::sieve::Sieve;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
-use phases::Common;
-use queues::{Phase, Queues, SLOTS};
-use slot::{Frame, Slot};
+use columns::{Columns, SLOTS};
+use flight::{Flight, Frame};
+use pairs::Pairs;
+use round::{Lists, Rounds, Sets};
 
 /// Grids above their own in which all rays in flight can be together.
 const FRAMES: usize = 2 * SLOTS;
@@ -40,120 +44,44 @@ pub(crate) trait Port<Out> {
     fn put(&mut self, i: usize, answer: Out);
 }
 
-/// The frames of a slot.
-#[inline(always)]
-fn frames<C: Count, L: Lanes>(
-    frames: &mut [Frame<C, L>; FRAMES],
-    depth: usize,
-    slot: usize,
-) -> &mut [Frame<C, L>] {
-    frames.get_mut(slot * depth..(slot + 1) * depth).unwrap_or_default()
-}
-
-struct Stream<'a, 'p, Q: Query, C: Count, L: Lanes> {
-    view: &'a View<'a>,
-    with: Common<'a, 'p, C, L>,
-    port: &'p mut dyn Port<Q::Out>,
-    /// The next ray of the stream, and their number.
-    next: usize,
-    n: usize,
-    flying: usize,
-    queues: Queues,
-    slots: &'p mut [Slot<'a, Q, C, L>; SLOTS],
-    frames: &'p mut [Frame<C, L>; FRAMES],
-    /// Frames of each slot.
-    depth: usize,
-}
-
-/// Takes all that wait for a phase through it. A closure would not be compiled for the
-/// instruction set.
-macro_rules! turn {
-    ($stream:ident, $phase:ident, $method:ident $(, $frames:ident)?) => {
-        for i in 0..$stream.queues.take(Phase::$phase) {
-            let slot = $stream.queues.taken(Phase::$phase, i);
-            let phase = $stream.slots[slot].$method(&mut $stream.with $(, frames($stream.$frames, $stream.depth, slot))?);
-            $stream.queues.push(phase, slot);
-        }
-    };
-}
-
-impl<'a, 'p, Q: Query, C: Count, L: Lanes> Stream<'a, 'p, Q, C, L> {
-    /// Puts the next ray in a slot, if there is one left.
-    #[inline(always)]
-    fn load(&mut self, slot: usize) {
-        while self.next < self.n {
-            let index = self.next;
-            self.next += 1;
-            let ray = self.port.ray(index);
-            if usable(self.with.lanes, &ray) {
-                self.slots[slot] = Slot::new(self.with.lanes, self.view, ray, index);
-                self.queues.push(Phase::Enter, slot);
-                return;
-            }
-            self.port.put(index, Q::miss(&ray));
-        }
-        self.flying -= 1;
-    }
-
-    #[inline(always)]
-    fn run(&mut self) {
-        for i in 0..self.queues.take(Phase::Done) {
-            self.load(self.queues.taken(Phase::Done, i));
-        }
-        while self.flying > 0 {
-            turn!(self, Enter, enter);
-            turn!(self, Visit, visit);
-            turn!(self, Open, open);
-            turn!(self, Look, look);
-            turn!(self, Sieve, sift);
-            turn!(self, Decide, decide);
-            turn!(self, Descend, descend, frames);
-            turn!(self, Advance, advance);
-            turn!(self, Return, climb, frames);
-            for i in 0..self.queues.take(Phase::Done) {
-                let slot = self.queues.taken(Phase::Done, i);
-                let Slot { index, ref query, ref ray, .. } = self.slots[slot];
-                self.port.put(index, query.found(&self.with.sections, ray));
-                self.load(slot);
-            }
-        }
-    }
-}
-
-struct Run<'a, 'p, Q: Query, C> {
+struct Run<'a, 'p, Q: Query> {
     view: &'a View<'a>,
     port: &'p mut dyn Port<Q::Out>,
     n: usize,
-    counters: &'p mut C,
 }
 
-impl<Q: Query, C: Count> AnyKernel for Run<'_, '_, Q, C> {
+impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     type Out = ();
-    const BEST: Isa = best::<C>();
+    const BEST: Isa = best::<Uncounted>();
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
-        let Self { view, port, n, counters } = self;
+        let Self { view, port, n } = self;
         let depth = (view.header().levels as usize).saturating_sub(1);
-        let flying = (FRAMES / depth.max(1)).min(SLOTS);
-        let mut queues = Queues::EMPTY;
-        for slot in 0..flying {
-            queues.push(Phase::Done, slot);
-        }
-        let idle = Slot::<Q, C, L>::new(lanes, view, Ray::new([0.0; 3], [0.0, 0.0, 1.0]), 0);
-        Stream {
+        let nowhere = Ray::new([0.0; 3], [0.0, 0.0, 1.0]);
+        let [org, dir, _] = nowhere.rows();
+        let rows = [lanes.load3(org), lanes.load3(dir)];
+        let course = Course::new(lanes, rows[0], rows[1], 1.0);
+        let sections = view.sections();
+        let (mut columns, mut lists) = (Columns::NONE, Lists::NONE);
+        let (mut pairs, mut due) = (Pairs::NONE, Pairs::NONE);
+        Rounds {
+            lanes,
             view,
-            with: Common { lanes, sections: view.sections(), counters },
+            sections,
             port,
             next: 0,
             n,
-            flying,
-            queues,
-            // Here and not in a function, which might copy them.
-            slots: &mut [idle; SLOTS],
-            frames: &mut [Frame::unused(lanes); FRAMES],
+            columns: &mut columns,
+            flights: &mut [Flight::<Q, L>::new(nowhere, 0, course); SLOTS],
+            sieves: &mut [Sieve::new(lanes, &sections, &nowhere, rows, rows); SLOTS],
+            frames: &mut [Frame::NONE; FRAMES],
             depth,
+            lists: &mut lists,
+            pairs: &mut pairs,
+            due: &mut due,
+            sets: Sets::default(),
         }
-        .run();
+        .run(FRAMES / depth.max(1));
     }
 }
 
@@ -235,8 +163,8 @@ impl View<'_> {
 
     fn stream<Q: Query, C: Count>(&self, port: &mut dyn Port<Q::Out>, n: usize, counters: &mut C) {
         fpenv::with_default(|| {
-            if self.header().grids.count > 0 && n >= FEW {
-                dispatch(Run::<Q, C> { view: self, port, n, counters });
+            if self.header().grids.count > 0 && n >= FEW && !C::COUNTS {
+                dispatch(Run::<Q> { view: self, port, n });
             } else {
                 for i in 0..n {
                     let answer = self.single::<Q, C>(&port.ray(i), counters);

@@ -1,0 +1,260 @@
+//! A round: each ray in flight reads its voxel, steps, and meets what the voxel has.
+//!
+//! Each of these is done for all rays before the next: nothing depends on the ray
+//! before, and memory was asked for one of them earlier. A ray steps before it meets
+//! what its voxel has, so that the next voxel is on its way meanwhile.
+
+use super::super::bounds::Planes;
+use super::super::counters::Uncounted;
+use super::super::query::{Query, visible};
+use super::super::sieve::Sieve;
+use super::Port;
+use super::columns::{Columns, SLOTS};
+use super::flight::{Flight, Frame, Grids};
+use super::pairs::Pairs;
+use crate::arena::layout::{EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, PAYLOAD, TAG_SHIFT};
+use crate::arena::{Sections, View};
+use crate::simd::Lanes;
+use crate::triangle::Line;
+
+/// How many triangles of a row of boxes to fetch: more are seldom met.
+const FETCH: usize = 4;
+
+/// The lists of voxels, by slot.
+pub(super) struct Lists {
+    /// Slots whose voxels have one.
+    slots: [u32; SLOTS],
+    n: usize,
+    /// Places and lengths; or the number of the grid that the ray goes down to.
+    pub places: [u32; SLOTS],
+    lens: [u32; SLOTS],
+}
+
+impl Lists {
+    pub const NONE: Self = Self { slots: [0; SLOTS], n: 0, places: [0; SLOTS], lens: [0; SLOTS] };
+}
+
+/// Sets of slots, a bit each.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Sets {
+    /// In flight.
+    pub live: u32,
+    /// About to go down to a grid.
+    pub down: u32,
+    /// Having all they want.
+    pub done: u32,
+}
+
+/// Rays on their way.
+pub(super) struct Rounds<'a, 'p, Q: Query, L: Lanes> {
+    pub lanes: L,
+    pub view: &'a View<'a>,
+    pub sections: Sections<'a>,
+    pub port: &'p mut dyn Port<Q::Out>,
+    /// The next ray of the stream, and their number.
+    pub next: usize,
+    pub n: usize,
+    pub columns: &'p mut Columns,
+    pub flights: &'p mut [Flight<Q, L>; SLOTS],
+    pub sieves: &'p mut [Sieve<'a>; SLOTS],
+    pub frames: &'p mut [Frame],
+    /// Frames of each slot.
+    pub depth: usize,
+    pub lists: &'p mut Lists,
+    /// What is to be sieved, and to be decided.
+    pub pairs: &'p mut Pairs,
+    pub due: &'p mut Pairs,
+    pub sets: Sets,
+}
+
+/// The slots of a set.
+#[inline(always)]
+pub(super) fn slots(set: u32) -> impl Iterator<Item = usize> {
+    let mut left = set;
+    core::iter::from_fn(move || {
+        let slot = left.trailing_zeros() as usize;
+        left &= left.wrapping_sub(1);
+        (slot < SLOTS).then_some(slot)
+    })
+}
+
+impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
+    /// Takes each ray one step.
+    #[inline(always)]
+    pub fn round(&mut self) {
+        self.visit();
+        self.step();
+        self.look();
+        self.meet();
+        self.settle();
+    }
+
+    /// Reads voxels, and heads of lists.
+    #[inline(always)]
+    fn visit(&mut self) {
+        let Self { lanes: l, ref sections, ref mut columns, ref mut lists, .. } = *self;
+        let mut n = 0;
+        let mut down = 0;
+        for slot in 0..SLOTS {
+            let there = self.sets.live >> slot & 1;
+            // Voxel 0 always exists; the numbers of rays that are not there mean nothing.
+            let voxel = sections.voxel((columns.number[slot] * there) as usize);
+            let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
+            columns.exit[slot] = if tag == EMPTY { payload } else { 0 };
+            lists.places[slot] = payload;
+            lists.slots[n % SLOTS] = slot as u32;
+            n += (u32::from(tag == LIST) & there) as usize;
+            down |= (u32::from(tag == GRID) & there) << slot;
+            sections.fetch_list(l, if tag == LIST { payload } else { 0 });
+        }
+        lists.n = n;
+        self.sets.down = down;
+        for slot in slots(down) {
+            sections.fetch_grid(l, lists.places[slot]);
+            self.flights[slot].grids = Grids::NONE;
+        }
+        for i in 0..n {
+            let slot = lists.slots[i % SLOTS] as usize % SLOTS;
+            let place = lists.places[slot];
+            let (exit, len) = sections.head(place);
+            columns.exit[slot] = exit;
+            lists.lens[slot] = len;
+            sections.fetch_list(l, place + len);
+        }
+    }
+
+    /// Leaves exit boxes.
+    #[inline(always)]
+    fn step(&mut self) {
+        let Self { lanes: l, ref mut columns, .. } = *self;
+        for i in (0..SLOTS).step_by(L::WIDE) {
+            columns.place_boxes(l, i);
+            columns.step(l, i);
+        }
+        for slot in 0..SLOTS {
+            self.sections.fetch_voxel(l, columns.number[slot]);
+        }
+    }
+
+    /// Looks at the boxes of lists.
+    #[inline(always)]
+    fn look(&mut self) {
+        for i in 0..self.lists.n {
+            let slot = self.lists.slots[i % SLOTS] as usize % SLOTS;
+            let (place, len) = (self.lists.places[slot], self.lists.lens[slot]);
+            let refs = place + LIST_HEAD as u32;
+            let boxes = self.columns.boxes(slot, self.flights[slot].course.mirror);
+            let planes = Planes::new(self.lanes, &boxes);
+            let last = self.sections.eight(refs + len - 1)[0];
+            let triangles = if last & GRID_BIT == 0 { len } else { self.split(slot, &planes) };
+            let mut at = 0;
+            while at < triangles {
+                if self.pairs.len() > Pairs::MOST - 8 {
+                    self.meet();
+                }
+                let all = u32::MAX >> (32 - (triangles - at).min(L::WIDE as u32));
+                let met = all & planes.met(self.lanes, self.sections.eight(refs + len + at));
+                let [slots, numbers] = self.pairs.next();
+                *slots = [slot as u32; 8];
+                self.lanes.compress(self.sections.eight(refs + at), met, numbers);
+                for &number in &numbers[..FETCH] {
+                    self.sections.fetch_triangle(self.lanes, number);
+                }
+                self.pairs.add(met.count_ones());
+                at += L::WIDE as u32;
+            }
+        }
+    }
+
+    /// The number of triangles in a list of which the last are grids. If the ray meets the
+    /// box of one of these it goes down to them.
+    #[cold]
+    #[inline(never)]
+    fn split(&mut self, slot: usize, planes: &Planes<L>) -> u32 {
+        let (_, refs) = self.sections.list(self.lists.places[slot]);
+        let triangles = refs.partition_point(|r| r & GRID_BIT == 0);
+        let refs_at = self.lists.places[slot] + LIST_HEAD as u32;
+        let len = refs.len() as u32;
+        let mut at = triangles as u32;
+        while at < len {
+            let all = u32::MAX >> (32 - (len - at).min(L::WIDE as u32));
+            if all & planes.met(self.lanes, self.sections.eight(refs_at + len + at)) != 0 {
+                self.flights[slot].grids = Grids { at: refs_at + at, end: refs_at + len };
+                self.lists.places[slot] = self.next_grid(slot);
+                self.sets.down |= 1 << slot;
+                break;
+            }
+            at += L::WIDE as u32;
+        }
+        triangles as u32
+    }
+
+    /// Takes the next grid of a list.
+    #[inline(always)]
+    pub fn next_grid(&mut self, slot: usize) -> u32 {
+        let grids = &mut self.flights[slot].grids;
+        let grid = self.sections.eight(grids.at)[0] & !GRID_BIT;
+        grids.at += 1;
+        self.sections.fetch_grid(self.lanes, grid);
+        grid
+    }
+
+    /// Sieves and decides all pairs.
+    #[inline(always)]
+    fn meet(&mut self) {
+        let Self { lanes: l, ref sieves, ref mut pairs, ref mut due, .. } = *self;
+        for i in (0..pairs.len()).step_by(L::WIDE) {
+            let [slots, numbers] = pairs.eight(i);
+            let all = u32::MAX >> (32 - (pairs.len() - i).min(L::WIDE));
+            let sieve = |j: usize| &sieves[slots[j] as usize % SLOTS];
+            let left = all & Sieve::pass_each(l, sieve, numbers);
+            let [slots_left, numbers_left] = due.next();
+            l.compress(slots, left, slots_left);
+            l.compress(numbers, left, numbers_left);
+            due.add(left.count_ones());
+        }
+        pairs.clear();
+        for i in 0..self.due.len() {
+            let (slot, number) = self.due.get(i);
+            self.decide(slot, number);
+        }
+        self.due.clear();
+    }
+
+    /// The exact test.
+    #[inline(always)]
+    fn decide(&mut self, slot: usize, number: u32) {
+        let flight = &mut self.flights[slot];
+        let done = self.sets.done >> slot & 1 != 0;
+        if done || !flight.decided.is_due::<Uncounted>(number) {
+            return;
+        }
+        let triangle = self.sections.triangle(number);
+        if !visible(&flight.ray, triangle) {
+            return;
+        }
+        if let Some(enough) = flight.query.meet(&Line::new(&flight.ray), triangle, number) {
+            self.sets.done |= u32::from(enough) << slot;
+            self.sieves[slot].limit(flight.query.limit());
+            self.columns.stop[slot] = flight.stop();
+        }
+    }
+
+    /// Sends each ray where it goes next.
+    #[inline(always)]
+    fn settle(&mut self) {
+        let mut on = 0;
+        for i in (0..SLOTS).step_by(L::WIDE) {
+            on |= self.columns.go_on(self.lanes, i) << i;
+        }
+        let Sets { live, down, done } = self.sets;
+        let (on, down) = (on & live & !done, down & !done);
+        for slot in slots(down) {
+            self.descend(slot, on >> slot & 1 != 0);
+        }
+        for slot in slots(live & !on & !down) {
+            self.leave(slot);
+        }
+        self.columns.arrive();
+    }
+}

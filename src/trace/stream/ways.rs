@@ -1,0 +1,141 @@
+//! Ways between grids, and in and out of the stream.
+
+use super::super::course::Course;
+use super::super::local::Local;
+use super::super::query::{Query, beyond, usable};
+use super::super::sieve::Sieve;
+use super::columns::SLOTS;
+use super::flight::{Flight, Frame};
+use super::round::Rounds;
+use crate::ray::Ray;
+use crate::simd::Lanes;
+
+/// The frames of a slot.
+#[inline(always)]
+fn frames(frames: &mut [Frame], depth: usize, slot: usize) -> &mut [Frame] {
+    frames.get_mut(slot * depth..(slot + 1) * depth).unwrap_or_default()
+}
+
+impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
+    /// Takes the whole stream through.
+    #[inline(always)]
+    pub fn run(&mut self, flying: usize) {
+        for slot in 0..flying.min(SLOTS) {
+            self.load(slot);
+        }
+        self.columns.arrive();
+        while self.sets.live != 0 {
+            self.round();
+        }
+    }
+
+    /// Puts the next ray in a slot, if there is one left.
+    #[inline(always)]
+    fn load(&mut self, slot: usize) {
+        self.sets.live &= !(1 << slot);
+        self.sets.done &= !(1 << slot);
+        while self.next < self.n {
+            let index = self.next;
+            self.next += 1;
+            let ray = self.port.ray(index);
+            if usable(self.lanes, &ray) && self.begin(slot, ray, index) {
+                self.sets.live |= 1 << slot;
+                return;
+            }
+            self.port.put(index, Q::miss(&ray));
+        }
+    }
+
+    /// Whether a ray enters the outermost grid.
+    #[inline(always)]
+    fn begin(&mut self, slot: usize, ray: Ray, index: usize) -> bool {
+        let l = self.lanes;
+        let [org, dir, _] = ray.rows();
+        let rows = [l.load3(org), l.load3(dir)];
+        let header = self.view.header();
+        let course = Course::new(l, rows[0], rows[1], header.unit);
+        let corners = header.corners().map(|c| l.load_f32(c));
+        self.sieves[slot] = Sieve::new(l, &self.sections, &ray, rows, corners);
+        self.flights[slot] = Flight::new(ray, index, course);
+        self.columns.begin(slot, course.mirror);
+        // A t that rounds to tmin may lie below it, one that rounds to tmax above.
+        let range = [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
+        self.enter(slot, 0, range)
+    }
+
+    /// Whether a ray can be in a grid for tau in `range`; then it is.
+    #[inline(always)]
+    fn enter(&mut self, slot: usize, grid: u32, [t0, t1]: [f64; 2]) -> bool {
+        let l = self.lanes;
+        let flight = &mut self.flights[slot];
+        let grid = self.sections.grid(grid);
+        let Some(local) = Local::enter(l, grid, &flight.course, &flight.ray, t0, t1) else {
+            return false;
+        };
+        flight.span = local.span;
+        self.columns.enter(l, slot, &local, &flight.course);
+        self.columns.stop[slot] = flight.stop();
+        self.sections.fetch_voxel(l, self.columns.number[slot]);
+        true
+    }
+
+    /// Goes down to a grid, over the part of the ray in the exit box. `on`: will go on in
+    /// this grid then.
+    #[inline(always)]
+    pub fn descend(&mut self, slot: usize, on: bool) {
+        let flight = &mut self.flights[slot];
+        let [from, until] = self.columns.range(slot);
+        let range = [flight.span.low(from), flight.span.high(until)];
+        if (on || !flight.grids.is_empty())
+            && let Some(frame) = frames(self.frames, self.depth, slot).get_mut(flight.depth)
+        {
+            let kept = self.columns.keep(slot);
+            *frame = Frame { kept, span: flight.span, grids: flight.grids, range };
+            flight.depth += 1;
+        }
+        if !self.enter(slot, self.lists.places[slot], range) {
+            self.leave(slot);
+        }
+    }
+
+    /// Leaves a grid: for the next of a list, for the one above, or for good.
+    #[inline(always)]
+    pub fn leave(&mut self, slot: usize) {
+        if self.sets.done >> slot & 1 == 0 && self.climb(slot) {
+            return;
+        }
+        let Flight { index, ref query, ref ray, .. } = self.flights[slot];
+        self.port.put(index, query.found(&self.sections, ray));
+        self.load(slot);
+    }
+
+    /// Whether the ray goes on in the next grid of a list, or in the one above.
+    #[inline(always)]
+    fn climb(&mut self, slot: usize) -> bool {
+        while let Some(top) = self.flights[slot].depth.checked_sub(1) {
+            let frame = match frames(self.frames, self.depth, slot).get_mut(top) {
+                Some(frame) => *frame,
+                None => return false,
+            };
+            let flight = &mut self.flights[slot];
+            if !frame.grids.is_empty() {
+                flight.grids = frame.grids;
+                let grid = self.next_grid(slot);
+                frames(self.frames, self.depth, slot)[top].grids = self.flights[slot].grids;
+                if self.enter(slot, grid, frame.range) {
+                    return true;
+                }
+                continue;
+            }
+            flight.depth = top;
+            flight.span = frame.span;
+            self.columns.restore(slot, &frame.kept);
+            self.columns.stop[slot] = flight.stop();
+            if self.columns.goes_on(slot) {
+                self.sections.fetch_voxel(self.lanes, self.columns.number[slot]);
+                return true;
+            }
+        }
+        false
+    }
+}
