@@ -205,6 +205,11 @@ impl Lanes for Neon {
         fn words(self, words: &[u32; 8]) -> uint32x4_t = vld1q_u32(words.as_ptr());
         fn field(self, words: uint32x4_t, mask: &[u32; 8]) -> Wide =
             vcvtq_f32_u32(vandq_u32(words, vld1q_u32(mask.as_ptr())));
+        fn tops(self, words: uint32x4_t) -> [u32; 2] = {
+            let zero = vdupq_n_s32(0);
+            let below = vreinterpretq_s32_u32(vaddq_u32(words, words));
+            [vreinterpretq_s32_u32(words), below].map(|a| bits(vcltq_s32(a, zero), 15))
+        };
         fn mul_add_wide(self, a: Wide, b: Wide, c: Wide) -> Wide = vfmaq_f32(c, a, b);
         fn at_most(self, a: Wide, b: Wide) -> u32 = bits(vcleq_f32(a, b), 15);
         fn load_wide(self, a: &[f32; 8]) -> Wide = vld1q_f32(a.as_ptr());
@@ -213,6 +218,7 @@ impl Lanes for Neon {
         fn choose_wide(self, a: Wide, b: Wide, x: Wide, y: Wide) -> Wide =
             vbslq_f32(vcleq_f32(a, b), x, y);
         fn splat_wide(self, a: f32) -> Wide = vdupq_n_f32(a);
+        fn div_wide(self, a: Wide, b: Wide) -> Wide = vdivq_f32(a, b);
         fn sub_wide(self, a: Wide, b: Wide) -> Wide = vsubq_f32(a, b);
         fn mul_wide(self, a: Wide, b: Wide) -> Wide = vmulq_f32(a, b);
         fn add_wide(self, a: Wide, b: Wide) -> Wide = vaddq_f32(a, b);

@@ -107,6 +107,8 @@ pub(crate) trait Lanes: Copy {
     fn words(self, words: &[u32; 8]) -> Self::Words;
     /// The bits of each word that are in `mask`, which has no sign, as a number.
     fn field(self, words: Self::Words, mask: &[u32; 8]) -> Self::Wide;
+    /// The top bit of each word, and the bit below it: a bit each.
+    fn tops(self, words: Self::Words) -> [u32; 2];
     /// Copies the words that `mask` has a bit for to the start of `to`, in their order;
     /// what follows them there becomes any of `words`' first, or 0.
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]);
@@ -132,6 +134,7 @@ pub(crate) trait Lanes: Copy {
         first: &[u32; 8],
         to: &mut [u32; 8],
     );
+    fn div_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn sub_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn mul_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn add_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;

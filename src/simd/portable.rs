@@ -281,6 +281,10 @@ impl Lanes for Portable {
         core::array::from_fn(|k| (words[k] & mask[k]) as i32 as f32)
     }
     #[inline(always)]
+    fn tops(self, words: [u32; 4]) -> [u32; 2] {
+        [31, 30].map(|bit| (0..4).map(|k| (words[k] >> bit & 1) << k).sum())
+    }
+    #[inline(always)]
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {
         let mut n = 0;
         for (k, &word) in words[..4].iter().enumerate() {
@@ -335,6 +339,10 @@ impl Lanes for Portable {
     #[inline(always)]
     fn splat_wide(self, a: f32) -> [f32; 4] {
         [a; 4]
+    }
+    #[inline(always)]
+    fn div_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        self.div_f32(a, b)
     }
     #[inline(always)]
     fn sub_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {

@@ -114,10 +114,10 @@ impl<const ALL: bool, L: Lanes> Kernel<L> for Fill<'_, '_, ALL> {
 
 /// [`Boxes`] for [`Lanes::WIDE`] of them.
 pub(super) struct Planes<L: Lanes> {
-    near: [[L::Wide; 3]; 2],
-    far: [[L::Wide; 3]; 2],
-    range: [L::Wide; 2],
-    mirror: &'static Mirror,
+    pub near: [[L::Wide; 3]; 2],
+    pub far: [[L::Wide; 3]; 2],
+    pub range: [L::Wide; 2],
+    pub mirror: &'static Mirror,
 }
 
 /// The first three numbers, each in all lanes.

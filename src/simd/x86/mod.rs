@@ -317,6 +317,13 @@ macro_rules! eight_lanes {
             })
         }
         #[inline(always)]
+        fn tops(self, words: __m256i) -> [u32; 2] {
+            with!({
+                let below = _mm256_add_epi32(words, words);
+                [words, below].map(|a| _mm256_movemask_ps(_mm256_castsi256_ps(a)) as u32)
+            })
+        }
+        #[inline(always)]
         fn thrice(self, numbers: &[u32]) -> [u32; 8] {
             const MASK: [i32; 16] = [-1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0];
             let mask = &MASK[8 - numbers.len().min(8)..][..8];
@@ -384,6 +391,10 @@ macro_rules! eight_lanes {
         #[inline(always)]
         fn splat_wide(self, a: f32) -> __m256 {
             with!(_mm256_set1_ps(a))
+        }
+        #[inline(always)]
+        fn div_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_div_ps(a, b))
         }
         #[inline(always)]
         fn sub_wide(self, a: __m256, b: __m256) -> __m256 {

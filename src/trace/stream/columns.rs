@@ -4,15 +4,36 @@
 //! It is [`super::super::local::Local`] with voxels as `f32`, in which whole numbers up to
 //! 2^24 are exact; its error bound holds here too.
 
+use super::super::bounds::Planes;
 use super::super::course::{Course, Mirror};
-use super::super::local::{Boxes, Local};
-use crate::arena::layout::{BOX_CELLS, BOX_MARGIN};
+use super::super::local::Local;
+use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, GRID, LIST, TAG_SHIFT};
 use crate::simd::Lanes;
 
 /// Rays in flight.
 pub(super) const SLOTS: usize = 32;
 /// Rows of eight are read wherever one may begin.
 const ROOM: usize = SLOTS + 8;
+
+/// One of each axis. A closure might not be compiled for the instruction set.
+macro_rules! each {
+    ($k:ident => $e:expr) => {
+        [
+            {
+                let $k = 0;
+                $e
+            },
+            {
+                let $k = 1;
+                $e
+            },
+            {
+                let $k = 2;
+                $e
+            },
+        ]
+    };
+}
 
 type Column = [f32; ROOM];
 type Words = [u32; ROOM];
@@ -56,7 +77,7 @@ impl Sides {
 /// What a ray keeps of its walk through a grid while it is in one below.
 #[derive(Clone, Copy)]
 pub(super) struct Kept {
-    columns: [[f32; 3]; 7],
+    columns: [[f32; 3]; 4],
     nx: f32,
     plane: u32,
     first: u32,
@@ -66,20 +87,16 @@ pub(super) struct Kept {
 
 impl Kept {
     pub const NONE: Self =
-        Self { columns: [[0.0; 3]; 7], nx: 0.0, plane: 0, first: 0, number: 0, out: 0.0 };
+        Self { columns: [[0.0; 3]; 4], nx: 0.0, plane: 0, first: 0, number: 0, out: 0.0 };
 }
 
 /// Where rays are and how they step, by slot.
 pub(super) struct Columns {
-    /// Voxel, place at s = 0, voxels per s and its reciprocal, s of plane 0, last
-    /// voxel, and that again on axes along which the ray descends (0 on others).
+    /// Voxel, place at s = 0, voxels per s, last voxel.
     at: [Column; 3],
     start: [Column; 3],
     speed: [Column; 3],
-    pace: [Column; 3],
-    zero: [Column; 3],
     last: [Column; 3],
-    flip: [Column; 3],
     near: Sides,
     far: Sides,
     /// Voxels in a row and in a plane, number of the first, and of the ray's.
@@ -103,10 +120,7 @@ impl Columns {
         at: [ZEROS; 3],
         start: [ZEROS; 3],
         speed: [ZEROS; 3],
-        pace: [ZEROS; 3],
-        zero: [ZEROS; 3],
         last: [ZEROS; 3],
-        flip: [ZEROS; 3],
         near: Sides::NONE,
         far: Sides::NONE,
         nx: ZEROS,
@@ -137,9 +151,7 @@ impl Columns {
     #[inline(always)]
     pub fn enter<L: Lanes>(&mut self, l: L, slot: usize, local: &Local<L>, course: &Course<L>) {
         let (at, last) = (l.to_f32(local.at), l.to_f32(local.last));
-        let flip = l.mask_f32(last, course.down);
-        let columns = [at, local.start, local.speed, local.pace, local.zero, last, flip];
-        self.put(slot, &columns.map(|a| l.array_f32(a)));
+        self.put(slot, &[at, local.start, local.speed, last].map(|a| l.array_f32(a)));
         self.nx[slot] = local.nx as f32;
         self.plane[slot] = local.plane;
         self.first[slot] = local.first;
@@ -148,25 +160,21 @@ impl Columns {
     }
 
     #[inline(always)]
-    fn put<const N: usize>(&mut self, slot: usize, columns: &[[f32; N]; 7]) {
+    fn put<const N: usize>(&mut self, slot: usize, columns: &[[f32; N]; 4]) {
         for k in 0..3 {
             self.at[k][slot] = columns[0][k];
             self.start[k][slot] = columns[1][k];
             self.speed[k][slot] = columns[2][k];
-            self.pace[k][slot] = columns[3][k];
-            self.zero[k][slot] = columns[4][k];
-            self.last[k][slot] = columns[5][k];
-            self.flip[k][slot] = columns[6][k];
+            self.last[k][slot] = columns[3][k];
         }
     }
 
     /// What a ray needs to go on later where its step led.
     #[inline(always)]
     pub fn keep(&self, slot: usize) -> Kept {
-        let all =
-            [&self.at, &self.start, &self.speed, &self.pace, &self.zero, &self.last, &self.flip];
+        let all = [&self.at, &self.start, &self.speed, &self.last];
         Kept {
-            columns: all.map(|c| [c[0][slot], c[1][slot], c[2][slot]]),
+            columns: all.map(|c| each!(k => c[k][slot])),
             nx: self.nx[slot],
             plane: self.plane[slot],
             first: self.first[slot],
@@ -195,28 +203,36 @@ impl Columns {
 
     /// The boxes of a slot's list.
     #[inline(always)]
-    pub fn boxes(&self, slot: usize, mirror: &'static Mirror) -> Boxes {
-        let row = |c: &[Column; 3]| [c[0][slot], c[1][slot], c[2][slot], 0.0];
-        Boxes {
-            near: [row(&self.box_near[0]), row(&self.box_near[1])],
-            far: [row(&self.box_far[0]), row(&self.box_far[1])],
+    pub fn planes<L: Lanes>(&self, l: L, slot: usize, mirror: &'static Mirror) -> Planes<L> {
+        let [near, far] = [&self.box_near, &self.box_far];
+        Planes {
+            near: [splat(l, &near[0], slot), splat(l, &near[1], slot)],
+            far: [splat(l, &far[0], slot), splat(l, &far[1], slot)],
+            range: [l.splat_wide(self.s[slot]), l.splat_wide(self.until[slot])],
             mirror,
-            range: [self.s[slot], self.until[slot]],
         }
     }
 
-    /// Where the boxes of lists are: [`Local::boxes`] of slots from `i` on, before their
-    /// [`Columns::step`].
+    /// What slots from `i` on need for a step and for placing boxes, along axis `k`.
     #[inline(always)]
-    pub fn place_boxes<L: Lanes>(&mut self, l: L, i: usize) {
-        let exits = l.words(eight(&self.exit, i));
+    fn axis<L: Lanes>(&self, l: L, exits: L::Words, k: usize, i: usize) -> Axis<L> {
+        let at = l.load_wide(eight(&self.at[k], i));
+        let start = l.load_wide(eight(&self.start[k], i));
+        let speed = l.load_wide(eight(&self.speed[k], i));
+        let pace = l.div_wide(l.splat_wide(1.0), speed);
+        let zero = l.sub_wide(l.splat_wide(0.0), l.mul_wide(start, pace));
+        let far = self.far.reach(l, exits, k, i);
+        Axis { at, start, speed, pace, zero, far }
+    }
+
+    /// Where the boxes of lists are: [`Local::boxes`] of slots from `i` on.
+    #[inline(always)]
+    fn place_boxes<L: Lanes>(&mut self, l: L, exits: L::Words, axes: &[Axis<L>; 3], i: usize) {
         let margin = l.splat_wide(BOX_MARGIN);
         let whole = l.splat_wide(1.0 + 2.0 * BOX_MARGIN);
-        for k in 0..3 {
+        let none = l.splat_wide(0.0);
+        for (k, &Axis { at, pace, zero, far, .. }) in axes.iter().enumerate() {
             let near = self.near.reach(l, exits, k, i);
-            let far = self.far.reach(l, exits, k, i);
-            let [at, pace] = [&self.at[k], &self.pace[k]].map(|c| l.load_wide(eight(c, i)));
-            let zero = l.load_wide(eight(&self.zero[k], i));
             let low = l.sub_wide(l.sub_wide(at, near), margin);
             let side = l.add_wide(l.add_wide(near, far), whole);
             let cell = l.mul_wide(side, l.splat_wide(1.0 / BOX_CELLS as f32));
@@ -224,7 +240,6 @@ impl Columns {
             // Cells are counted from the lower end, mirrored or not.
             let far_unit = self.far.unit(l, k, i);
             let last = l.mul_wide(width, l.splat_wide((BOX_CELLS - 1) as f32));
-            let none = l.splat_wide(0.0);
             let last = l.choose_wide(none, far_unit, none, last);
             let start = l.add_wide(l.mul_add_wide(low, pace, zero), last);
             let [scale, offset] = &mut self.box_near;
@@ -237,30 +252,31 @@ impl Columns {
     }
 
     /// Leaves the exit boxes of slots from `i` on: [`Local::step`] and the numbers of the
-    /// voxels it leads to, in `number` if they lie in the grid.
+    /// voxels it leads to, in `number` if they lie in the grid. `lists`: places the boxes of
+    /// lists too.
     #[inline(always)]
-    pub fn step<L: Lanes>(&mut self, l: L, i: usize) {
+    pub fn step<L: Lanes>(&mut self, l: L, i: usize, lists: bool) {
         let exits = l.words(eight(&self.exit, i));
-        let one = l.splat_wide(1.0);
-        let at = each(|k| l.load_wide(eight(&self.at[k], i)));
+        let axes = each!(k => self.axis(l, exits, k, i));
+        if lists {
+            self.place_boxes(l, exits, &axes, i);
+        }
+        let (none, one) = (l.splat_wide(0.0), l.splat_wide(1.0));
         // The planes behind the boxes, and when the rays are there.
-        let behind = each(|k| l.add_wide(l.add_wide(at[k], one), self.far.reach(l, exits, k, i)));
-        let leave = each(|k| {
-            let [pace, zero] = [&self.pace[k], &self.zero[k]].map(|c| l.load_wide(eight(c, i)));
-            l.mul_add_wide(behind[k], pace, zero)
-        });
+        let behind = each!(k => l.add_wide(l.add_wide(axes[k].at, one), axes[k].far));
+        let leave = each!(k => l.mul_add_wide(behind[k], axes[k].pace, axes[k].zero));
         let out = l.min_wide(l.min_wide(leave[0], leave[1]), leave[2]);
-        let to = each(|k| {
-            let [speed, start] = [&self.speed[k], &self.start[k]].map(|c| l.load_wide(eight(c, i)));
+        let place = each!(k => {
+            let Axis { at, start, speed, .. } = axes[k];
             // Off the axis of the exit the position says where, inside the box.
-            let low = l.choose_wide(leave[k], out, behind[k], at[k]);
+            let low = l.choose_wide(leave[k], out, behind[k], at);
             let high = l.choose_wide(leave[k], out, behind[k], l.sub_wide(behind[k], one));
             let place = l.truncate_wide(l.mul_add_wide(out, speed, start));
-            l.min_wide(l.max_wide(place, low), high)
-        });
-        let place = each(|k| {
-            l.store_wide(to[k], eight_mut(&mut self.at[k], i));
-            l.abs_wide(l.sub_wide(to[k], l.load_wide(eight(&self.flip[k], i))))
+            let to = l.min_wide(l.max_wide(place, low), high);
+            l.store_wide(to, eight_mut(&mut self.at[k], i));
+            let last = l.load_wide(eight(&self.last[k], i));
+            let flip = l.choose_wide(none, self.far.unit(l, k, i), none, last);
+            l.abs_wide(l.sub_wide(to, flip))
         });
         l.store_wide(out, eight_mut(&mut self.out, i));
         let stop = l.load_wide(eight(&self.stop, i));
@@ -270,6 +286,14 @@ impl Columns {
         l.numbers(row, place[2], plane, first, eight_mut(&mut self.number, i));
     }
 
+    /// Slots whose words in `exit` are those of lists, and of grids, from `i` on.
+    #[inline(always)]
+    pub fn tags<L: Lanes>(&self, l: L, i: usize) -> [u32; 2] {
+        const { assert!(LIST == 1 && GRID == 2 && TAG_SHIFT == 30) };
+        let [grids, lists] = l.tops(l.words(eight(&self.exit, i)));
+        [lists, grids]
+    }
+
     /// Which slots from `i` on go on where the step led them: a bit each.
     #[inline(always)]
     pub fn go_on<L: Lanes>(&self, l: L, i: usize) -> u32 {
@@ -277,8 +301,8 @@ impl Columns {
         // No NaN passes any of this.
         let mut on = l.at_most(out, l.load_wide(eight(&self.stop, i)));
         for k in 0..3 {
-            let [at, last] = [&self.at[k], &self.last[k]].map(|c| l.load_wide(eight(c, i)));
-            on &= l.at_most(at, last);
+            let last = l.load_wide(eight(&self.last[k], i));
+            on &= l.at_most(l.load_wide(eight(&self.at[k], i)), last);
         }
         on
     }
@@ -297,9 +321,20 @@ impl Columns {
     }
 }
 
-/// One of each axis.
+/// Voxels, places at s = 0, voxels per s and its reciprocal, s of plane 0, how far exit
+/// boxes reach.
+#[derive(Clone, Copy)]
+struct Axis<L: Lanes> {
+    at: L::Wide,
+    start: L::Wide,
+    speed: L::Wide,
+    pace: L::Wide,
+    zero: L::Wide,
+    far: L::Wide,
+}
+
+/// What a slot has there, in all lanes.
 #[inline(always)]
-fn each<T>(f: impl FnMut(usize) -> T) -> [T; 3] {
-    let mut f = f;
-    [f(0), f(1), f(2)]
+fn splat<L: Lanes>(l: L, columns: &[Column; 3], slot: usize) -> [L::Wide; 3] {
+    each!(k => l.splat_wide(columns[k][slot]))
 }

@@ -31,7 +31,7 @@ use pairs::Pairs;
 use round::{Lists, Rounds, Sets};
 
 /// Grids above their own in which all rays in flight can be together.
-const FRAMES: usize = 2 * SLOTS;
+const FRAMES: usize = 4 * SLOTS;
 
 /// Rays that are sooner answered one by one.
 const FEW: usize = 8;

@@ -12,26 +12,26 @@ use super::Port;
 use super::columns::{Columns, SLOTS};
 use super::flight::{Flight, Frame, Grids};
 use super::pairs::Pairs;
-use crate::arena::layout::{EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, PAYLOAD, TAG_SHIFT};
+use crate::arena::layout::{GRID_BIT, LIST_HEAD, PAYLOAD};
 use crate::arena::{Sections, View};
 use crate::simd::Lanes;
 use crate::triangle::Line;
 
 /// How many triangles of a row of boxes to fetch: more are seldom met.
-const FETCH: usize = 4;
+const FETCH: usize = 2;
+
+/// A bit for each of the most lanes that rows have.
+const WIDEST: u32 = 0xff;
 
 /// The lists of voxels, by slot.
 pub(super) struct Lists {
-    /// Slots whose voxels have one.
-    slots: [u32; SLOTS],
-    n: usize,
     /// Places and lengths; or the number of the grid that the ray goes down to.
     pub places: [u32; SLOTS],
     lens: [u32; SLOTS],
 }
 
 impl Lists {
-    pub const NONE: Self = Self { slots: [0; SLOTS], n: 0, places: [0; SLOTS], lens: [0; SLOTS] };
+    pub const NONE: Self = Self { places: [0; SLOTS], lens: [0; SLOTS] };
 }
 
 /// Sets of slots, a bit each.
@@ -39,6 +39,8 @@ impl Lists {
 pub(super) struct Sets {
     /// In flight.
     pub live: u32,
+    /// In voxels with lists.
+    pub lists: u32,
     /// About to go down to a grid.
     pub down: u32,
     /// Having all they want.
@@ -67,15 +69,17 @@ pub(super) struct Rounds<'a, 'p, Q: Query, L: Lanes> {
     pub sets: Sets,
 }
 
-/// The slots of a set.
-#[inline(always)]
-pub(super) fn slots(set: u32) -> impl Iterator<Item = usize> {
-    let mut left = set;
-    core::iter::from_fn(move || {
-        let slot = left.trailing_zeros() as usize;
-        left &= left.wrapping_sub(1);
+/// The slots of a set. No `from_fn`: a closure might not be inlined.
+struct Slots(u32);
+
+impl Iterator for Slots {
+    type Item = usize;
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        let slot = self.0.trailing_zeros() as usize;
+        self.0 &= self.0.wrapping_sub(1);
         (slot < SLOTS).then_some(slot)
-    })
+    }
 }
 
 impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
@@ -93,32 +97,35 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     #[inline(always)]
     fn visit(&mut self) {
         let Self { lanes: l, ref sections, ref mut columns, ref mut lists, .. } = *self;
-        let mut n = 0;
-        let mut down = 0;
+        let live = self.sets.live;
         for slot in 0..SLOTS {
-            let there = self.sets.live >> slot & 1;
             // Voxel 0 always exists; the numbers of rays that are not there mean nothing.
-            let voxel = sections.voxel((columns.number[slot] * there) as usize);
-            let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
-            columns.exit[slot] = if tag == EMPTY { payload } else { 0 };
-            lists.places[slot] = payload;
-            lists.slots[n % SLOTS] = slot as u32;
-            n += (u32::from(tag == LIST) & there) as usize;
-            down |= (u32::from(tag == GRID) & there) << slot;
-            sections.fetch_list(l, if tag == LIST { payload } else { 0 });
+            let number = if live >> slot & 1 != 0 { columns.number[slot] } else { 0 };
+            columns.exit[slot] = sections.voxel(number as usize);
         }
-        lists.n = n;
+        let mut tags = [0; 2];
+        for i in (0..SLOTS).step_by(L::WIDE) {
+            let here = columns.tags(l, i);
+            tags = [tags[0] | here[0] << i, tags[1] | here[1] << i];
+        }
+        let (with_list, down) = (tags[0] & live, tags[1] & live);
+        self.sets.lists = with_list;
         self.sets.down = down;
-        for slot in slots(down) {
+        for slot in Slots(down) {
+            lists.places[slot] = columns.exit[slot] & PAYLOAD;
+            columns.exit[slot] = 0;
             sections.fetch_grid(l, lists.places[slot]);
             self.flights[slot].grids = Grids::NONE;
         }
-        for i in 0..n {
-            let slot = lists.slots[i % SLOTS] as usize % SLOTS;
-            let place = lists.places[slot];
+        for slot in Slots(with_list) {
+            sections.fetch_list(l, columns.exit[slot] & PAYLOAD);
+        }
+        for slot in Slots(with_list) {
+            let place = columns.exit[slot] & PAYLOAD;
             let (exit, len) = sections.head(place);
-            columns.exit[slot] = exit;
+            lists.places[slot] = place;
             lists.lens[slot] = len;
+            columns.exit[slot] = exit;
             sections.fetch_list(l, place + len);
         }
     }
@@ -126,10 +133,11 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     /// Leaves exit boxes.
     #[inline(always)]
     fn step(&mut self) {
-        let Self { lanes: l, ref mut columns, .. } = *self;
+        let Self { lanes: l, ref mut columns, sets: Sets { live, lists, .. }, .. } = *self;
         for i in (0..SLOTS).step_by(L::WIDE) {
-            columns.place_boxes(l, i);
-            columns.step(l, i);
+            if live >> i & WIDEST != 0 {
+                columns.step(l, i, lists >> i & WIDEST != 0);
+            }
         }
         for slot in 0..SLOTS {
             self.sections.fetch_voxel(l, columns.number[slot]);
@@ -139,12 +147,10 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     /// Looks at the boxes of lists.
     #[inline(always)]
     fn look(&mut self) {
-        for i in 0..self.lists.n {
-            let slot = self.lists.slots[i % SLOTS] as usize % SLOTS;
+        for slot in Slots(self.sets.lists) {
             let (place, len) = (self.lists.places[slot], self.lists.lens[slot]);
             let refs = place + LIST_HEAD as u32;
-            let boxes = self.columns.boxes(slot, self.flights[slot].course.mirror);
-            let planes = Planes::new(self.lanes, &boxes);
+            let planes = self.columns.planes(self.lanes, slot, self.flights[slot].course.mirror);
             let last = self.sections.eight(refs + len - 1)[0];
             let triangles = if last & GRID_BIT == 0 { len } else { self.split(slot, &planes) };
             let mut at = 0;
@@ -247,12 +253,12 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         for i in (0..SLOTS).step_by(L::WIDE) {
             on |= self.columns.go_on(self.lanes, i) << i;
         }
-        let Sets { live, down, done } = self.sets;
+        let Sets { live, down, done, .. } = self.sets;
         let (on, down) = (on & live & !done, down & !done);
-        for slot in slots(down) {
+        for slot in Slots(down) {
             self.descend(slot, on >> slot & 1 != 0);
         }
-        for slot in slots(live & !on & !down) {
+        for slot in Slots(live & !on & !down) {
             self.leave(slot);
         }
         self.columns.arrive();
