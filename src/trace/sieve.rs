@@ -142,7 +142,7 @@ impl<'a> Sieve<'a> {
             l.columns(|i| &sieve(i).rows[1]),
             l.columns(|i| &sieve(i).rows[2]),
         ];
-        !misses(l, rays, triangles)
+        misses(l, rays, triangles) ^ (u32::MAX >> (32 - L::WIDE))
     }
 }
 

@@ -6,7 +6,8 @@ use super::columns::SLOTS;
 pub(super) struct Pairs {
     slots: [u32; Self::ROOM],
     triangles: [u32; Self::ROOM],
-    len: usize,
+    /// How many there are.
+    pub len: usize,
 }
 
 impl Pairs {
@@ -16,14 +17,6 @@ impl Pairs {
     const ROOM: usize = Self::MOST + 8;
 
     pub const NONE: Self = Self { slots: [0; Self::ROOM], triangles: [0; Self::ROOM], len: 0 };
-
-    pub fn len(&self) -> usize {
-        self.len
-    }
-
-    pub fn clear(&mut self) {
-        self.len = 0;
-    }
 
     /// Pair `i`.
     #[inline(always)]
@@ -40,16 +33,11 @@ impl Pairs {
         [&self.slots, &self.triangles].map(|a| a[i..].first_chunk().expect("room for eight"))
     }
 
-    /// Where the next eight are written; [`Pairs::add`] says how many of them count.
+    /// Where slots and triangles are written from pair `i` on.
     #[inline(always)]
-    pub fn next(&mut self) -> [&mut [u32; 8]; 2] {
-        let i = self.len % Self::MOST;
+    pub fn eight_mut(&mut self, i: usize) -> [&mut [u32; 8]; 2] {
+        let i = i % Self::MOST;
         [&mut self.slots, &mut self.triangles]
             .map(|a| a[i..].first_chunk_mut().expect("room for eight"))
-    }
-
-    #[inline(always)]
-    pub fn add(&mut self, n: u32) {
-        self.len += n as usize;
     }
 }

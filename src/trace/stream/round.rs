@@ -4,7 +4,6 @@
 //! before, and memory was asked for one of them earlier. A ray steps before it meets
 //! what its voxel has, so that the next voxel is on its way meanwhile.
 
-use super::super::bounds::Planes;
 use super::super::counters::Uncounted;
 use super::super::query::{Query, visible};
 use super::super::sieve::Sieve;
@@ -14,7 +13,7 @@ use super::flight::{Flight, Frame, Grids};
 use super::pairs::Pairs;
 use crate::arena::layout::{GRID_BIT, LIST_HEAD, PAYLOAD};
 use crate::arena::{Sections, View};
-use crate::simd::Lanes;
+use crate::simd::{Kernel, Lanes};
 use crate::triangle::Line;
 
 /// How many triangles of a row of boxes to fetch: more are seldom met.
@@ -79,6 +78,28 @@ impl Iterator for Slots {
         let slot = self.0.trailing_zeros() as usize;
         self.0 &= self.0.wrapping_sub(1);
         (slot < SLOTS).then_some(slot)
+    }
+}
+
+/// [`Rounds::meet`], compiled for the rays' instruction set.
+struct Meet<'r, 'a, 'p, Q: Query, L: Lanes>(&'r mut Rounds<'a, 'p, Q, L>);
+
+impl<Q: Query, L: Lanes> Kernel<L> for Meet<'_, '_, '_, Q, L> {
+    type Out = ();
+    #[inline(always)]
+    fn run(self, _: L) {
+        self.0.meet();
+    }
+}
+
+/// [`Rounds::split`], likewise.
+struct Split<'r, 'a, 'p, Q: Query, L: Lanes>(&'r mut Rounds<'a, 'p, Q, L>, usize);
+
+impl<Q: Query, L: Lanes> Kernel<L> for Split<'_, '_, '_, Q, L> {
+    type Out = u32;
+    #[inline(always)]
+    fn run(self, _: L) -> u32 {
+        self.0.split(self.1)
     }
 }
 
@@ -147,52 +168,70 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     /// Looks at the boxes of lists.
     #[inline(always)]
     fn look(&mut self) {
+        let (l, sections) = (self.lanes, self.sections);
+        let mut n = self.pairs.len;
         for slot in Slots(self.sets.lists) {
             let (place, len) = (self.lists.places[slot], self.lists.lens[slot]);
             let refs = place + LIST_HEAD as u32;
-            let planes = self.columns.planes(self.lanes, slot, self.flights[slot].course.mirror);
-            let last = self.sections.eight(refs + len - 1)[0];
-            let triangles = if last & GRID_BIT == 0 { len } else { self.split(slot, &planes) };
+            let mixed = sections.eight(refs + len - 1)[0] & GRID_BIT != 0;
+            let triangles = if mixed { self.split_apart(slot) } else { len };
+            let planes = self.columns.planes(l, slot, self.flights[slot].course.mirror);
             let mut at = 0;
             while at < triangles {
-                if self.pairs.len() > Pairs::MOST - 8 {
-                    self.meet();
+                if n > Pairs::MOST - 8 {
+                    self.pairs.len = n;
+                    self.meet_apart();
+                    n = 0;
                 }
-                let all = u32::MAX >> (32 - (triangles - at).min(L::WIDE as u32));
-                let met = all & planes.met(self.lanes, self.sections.eight(refs + len + at));
-                let [slots, numbers] = self.pairs.next();
+                let met = planes.met(l, sections.eight(refs + len + at));
+                let met = met & !u32::MAX.checked_shl(triangles - at).unwrap_or(0);
+                let [slots, numbers] = self.pairs.eight_mut(n);
                 *slots = [slot as u32; 8];
-                self.lanes.compress(self.sections.eight(refs + at), met, numbers);
+                l.compress(sections.eight(refs + at), met, numbers);
                 for &number in &numbers[..FETCH] {
-                    self.sections.fetch_triangle(self.lanes, number);
+                    sections.fetch_triangle(l, number);
                 }
-                self.pairs.add(met.count_ones());
+                n += met.count_ones() as usize;
                 at += L::WIDE as u32;
             }
         }
+        self.pairs.len = n;
     }
 
     /// The number of triangles in a list of which the last are grids. If the ray meets the
     /// box of one of these it goes down to them.
-    #[cold]
-    #[inline(never)]
-    fn split(&mut self, slot: usize, planes: &Planes<L>) -> u32 {
+    #[inline(always)]
+    fn split(&mut self, slot: usize) -> u32 {
         let (_, refs) = self.sections.list(self.lists.places[slot]);
-        let triangles = refs.partition_point(|r| r & GRID_BIT == 0);
-        let refs_at = self.lists.places[slot] + LIST_HEAD as u32;
-        let len = refs.len() as u32;
-        let mut at = triangles as u32;
+        let planes = self.columns.planes(self.lanes, slot, self.flights[slot].course.mirror);
+        let triangles = refs.partition_point(|r| r & GRID_BIT == 0) as u32;
+        let (first, len) = (self.lists.places[slot] + LIST_HEAD as u32, refs.len() as u32);
+        let mut at = triangles;
         while at < len {
-            let all = u32::MAX >> (32 - (len - at).min(L::WIDE as u32));
-            if all & planes.met(self.lanes, self.sections.eight(refs_at + len + at)) != 0 {
-                self.flights[slot].grids = Grids { at: refs_at + at, end: refs_at + len };
+            let met = planes.met(self.lanes, self.sections.eight(first + len + at));
+            if met & !u32::MAX.checked_shl(len - at).unwrap_or(0) != 0 {
+                self.flights[slot].grids = Grids { at: first + at, end: first + len };
                 self.lists.places[slot] = self.next_grid(slot);
                 self.sets.down |= 1 << slot;
                 break;
             }
             at += L::WIDE as u32;
         }
-        triangles as u32
+        triangles
+    }
+
+    /// [`Rounds::split`], so that the registers of what is done more often are not spilled.
+    #[cold]
+    #[inline(never)]
+    fn split_apart(&mut self, slot: usize) -> u32 {
+        self.lanes.run(Split(self, slot))
+    }
+
+    /// [`Rounds::meet`], likewise.
+    #[cold]
+    #[inline(never)]
+    fn meet_apart(&mut self) {
+        self.lanes.run(Meet(self));
     }
 
     /// Takes the next grid of a list.
@@ -209,22 +248,22 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     #[inline(always)]
     fn meet(&mut self) {
         let Self { lanes: l, ref sieves, ref mut pairs, ref mut due, .. } = *self;
-        for i in (0..pairs.len()).step_by(L::WIDE) {
+        let mut n = 0;
+        for i in (0..pairs.len).step_by(L::WIDE) {
             let [slots, numbers] = pairs.eight(i);
-            let all = u32::MAX >> (32 - (pairs.len() - i).min(L::WIDE));
             let sieve = |j: usize| &sieves[slots[j] as usize % SLOTS];
-            let left = all & Sieve::pass_each(l, sieve, numbers);
-            let [slots_left, numbers_left] = due.next();
-            l.compress(slots, left, slots_left);
-            l.compress(numbers, left, numbers_left);
-            due.add(left.count_ones());
+            let left = Sieve::pass_each(l, sieve, numbers);
+            let left = left & !u32::MAX.checked_shl((pairs.len - i) as u32).unwrap_or(0);
+            let [slots_due, numbers_due] = due.eight_mut(n);
+            l.compress(slots, left, slots_due);
+            l.compress(numbers, left, numbers_due);
+            n += left.count_ones() as usize;
         }
-        pairs.clear();
-        for i in 0..self.due.len() {
+        pairs.len = 0;
+        for i in 0..n {
             let (slot, number) = self.due.get(i);
             self.decide(slot, number);
         }
-        self.due.clear();
     }
 
     /// The exact test.
