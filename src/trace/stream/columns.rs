@@ -161,11 +161,11 @@ impl Columns {
 
     #[inline(always)]
     fn put<const N: usize>(&mut self, slot: usize, columns: &[[f32; N]; 4]) {
-        for k in 0..3 {
-            self.at[k][slot] = columns[0][k];
-            self.start[k][slot] = columns[1][k];
-            self.speed[k][slot] = columns[2][k];
-            self.last[k][slot] = columns[3][k];
+        let all = [&mut self.at, &mut self.start, &mut self.speed, &mut self.last];
+        for (to, from) in all.into_iter().zip(columns) {
+            for (to, &x) in to.iter_mut().zip(from) {
+                to[slot] = x;
+            }
         }
     }
 
