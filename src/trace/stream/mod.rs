@@ -34,7 +34,7 @@ use round::{Lists, Rounds, Sets};
 const FRAMES: usize = 4 * SLOTS;
 
 /// Rays that are sooner answered one by one.
-const FEW: usize = 8;
+const FEW: usize = 6;
 
 /// Where rays come from and answers go.
 pub(crate) trait Port<Out> {
