@@ -7,7 +7,7 @@ mod common;
 use common::aligned::Aligned;
 use common::layout::*;
 use common::{adversarial_rays, build, configurations, ray, soups};
-use hug::{Counters, Ray, Stats, View};
+use hug::{Counters, Hit, Isa, Ray, Stats, View, force_isa};
 use hug_kit::random::Random;
 use hug_kit::soups as kit;
 
@@ -22,6 +22,18 @@ fn query(view: &View<'_>, rays: &[Ray]) {
         let _ = (view.intersect(r), view.occluded(r), view.intersect_brute(r));
     }
     let _ = (Stats::of(view), view.bounds(), view.bytes().len());
+    // As many as are in flight, and some that take their places; on any instruction set, as
+    // tests force them side by side.
+    let many: Vec<Ray> = rays.iter().cycle().take(rays.len().max(40)).copied().collect();
+    let (mut hits, mut occluded) = (vec![Hit::miss(0.0); many.len()], vec![false; many.len()]);
+    for set in Isa::ALL.into_iter().filter(|&set| force_isa(set)) {
+        view.intersect_n(&many, &mut hits);
+        view.occluded_n(&many, &mut occluded);
+        for (r, hit) in many.iter().zip(&hits) {
+            let inside = r.tmin <= hit.t && hit.t <= r.tmax;
+            assert!(!hit.is_hit() || inside, "{set:?}: {r:?} hit {hit:?}");
+        }
+    }
 }
 
 /// One change, of a kind that files and attackers make.

@@ -208,7 +208,8 @@ impl Lanes for Neon {
         fn tops(self, words: uint32x4_t) -> [u32; 2] = {
             let zero = vdupq_n_s32(0);
             let below = vreinterpretq_s32_u32(vaddq_u32(words, words));
-            [vreinterpretq_s32_u32(words), below].map(|a| bits(vcltq_s32(a, zero), 15))
+            let top = vcltq_s32(vreinterpretq_s32_u32(words), zero);
+            [bits(top, 15), bits(vcltq_s32(below, zero), 15)]
         };
         fn mul_add_wide(self, a: Wide, b: Wide, c: Wide) -> Wide = vfmaq_f32(c, a, b);
         fn at_most(self, a: Wide, b: Wide) -> u32 = bits(vcleq_f32(a, b), 15);

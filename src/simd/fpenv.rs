@@ -1,7 +1,7 @@
 //! The floating-point environment of the caller.
 //!
 //! A renderer may have set flush-to-zero, denormals-are-zero or another
-//! rounding mode; results must not change. Each call looks at the control
+//! rounding mode, or have unmasked exceptions; results must not change. Each call looks at the control
 //! register, and only if it differs from the default sets the default and
 //! restores the caller's afterwards. Cost when it does not differ: one store and
 //! one load.
@@ -10,7 +10,8 @@
 //! The only instructions used store and load the control register; the caller's
 //! value is put back on every way out.
 
-/// Runs `f` with round-to-nearest and without flushing of denormals.
+/// Runs `f` with round-to-nearest, without flushing of denormals, and with no exception
+/// that stops the program.
 #[inline(always)]
 pub(crate) fn with_default<R>(f: impl FnOnce() -> R) -> R {
     let caller = control::get();
@@ -38,6 +39,8 @@ mod control {
     pub type Word = u32;
     /// Flush to zero, denormals are zero, rounding control.
     const MODES: Word = 0x8000 | 0x0040 | 0x6000;
+    /// Exceptions that are not to stop the program: idle lanes may divide by zero.
+    const MASKS: Word = 0x1f80;
 
     #[inline(always)]
     pub fn get() -> Word {
@@ -48,17 +51,17 @@ mod control {
     }
 
     pub fn set(word: Word) {
-        // SAFETY: loads a value that came from MXCSR, with mode bits cleared or as they were.
+        // SAFETY: loads a value that came from MXCSR, with modes as by default or as they were.
         unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const word, options(nostack, preserves_flags)) };
     }
 
     #[inline(always)]
     pub fn is_default(word: Word) -> bool {
-        word & MODES == 0
+        word & (MODES | MASKS) == MASKS
     }
 
     pub fn defaulted(word: Word) -> Word {
-        word & !MODES
+        word & !MODES | MASKS
     }
 }
 
@@ -79,7 +82,7 @@ mod control {
     }
 
     pub fn set(word: Word) {
-        // SAFETY: writes a value that came from FPCR, with mode bits cleared or as they were.
+        // SAFETY: writes a value that came from FPCR, with modes as by default or as they were.
         unsafe { asm!("msr fpcr, {}", in(reg) word, options(nostack, preserves_flags)) };
     }
 

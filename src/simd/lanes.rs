@@ -1,7 +1,7 @@
 //! The vector operations that the walk and the sieve are written in.
 
-/// Four lanes of `f64`, `f32` and `i32` for the walk, and a wide row of `f32` for
-/// the sieve, a triangle each, with the operations needed.
+/// Four lanes of `f64`, `f32` and `i32` for the walk of one ray, and wide rows of `f32`
+/// whose lanes are triangles, boxes, rays or pairs, with the operations needed.
 ///
 /// A value of an implementing type is proof that the processor has the
 /// instructions: values come from run-time detection, unless the target has them
@@ -110,7 +110,7 @@ pub(crate) trait Lanes: Copy {
     /// The top bit of each word, and the bit below it: a bit each.
     fn tops(self, words: Self::Words) -> [u32; 2];
     /// Copies the words that `mask` has a bit for to the start of `to`, in their order;
-    /// what follows them there becomes any of `words`' first, or 0.
+    /// what follows them there becomes the first of `words`, or 0, or stays.
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]);
     /// Three times the first [`Lanes::WIDE`] numbers, zeros where there are fewer.
     fn thrice(self, numbers: &[u32]) -> [u32; 8];
@@ -120,7 +120,7 @@ pub(crate) trait Lanes: Copy {
     /// Writes the first [`Lanes::WIDE`].
     fn store_wide(self, a: Self::Wide, to: &mut [f32; 8]);
     fn splat_wide(self, a: f32) -> Self::Wide;
-    /// Towards zero; what is too large for an `i32`, and NaN, give any number.
+    /// Towards zero; what is too large for an `i32`, and NaN, give anything.
     fn truncate_wide(self, a: Self::Wide) -> Self::Wide;
     /// `x` where `a <= b`, else `y`.
     fn choose_wide(self, a: Self::Wide, b: Self::Wide, x: Self::Wide, y: Self::Wide) -> Self::Wide;
@@ -138,7 +138,9 @@ pub(crate) trait Lanes: Copy {
     fn sub_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn mul_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn add_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    /// Of a NaN and a number, either.
     fn min_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    /// Likewise.
     fn max_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     fn abs_wide(self, a: Self::Wide) -> Self::Wide;
     /// `a * b + c`, rounded once or twice.

@@ -39,7 +39,8 @@ impl Lanes for Portable {
     type Words = [u32; 4];
     const WIDE: usize = 4;
 
-    #[inline(always)]
+    /// Not inlined: its stack would be taken where another instruction set is in use.
+    #[inline(never)]
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
         kernel.run(self)
     }

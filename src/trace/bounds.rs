@@ -122,7 +122,7 @@ pub(super) struct Planes<L: Lanes> {
 
 /// The first three numbers, each in all lanes.
 #[inline(always)]
-fn splat3<L: Lanes>(l: L, a: &[f32; 4]) -> [L::Wide; 3] {
+pub(super) fn splat3<L: Lanes>(l: L, a: &[f32; 4]) -> [L::Wide; 3] {
     [l.splat_wide(a[0]), l.splat_wide(a[1]), l.splat_wide(a[2])]
 }
 

@@ -17,6 +17,8 @@ use crate::arena::{Axis, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
+use super::bounds::splat3;
+
 /// Distances within which products of two sheared coordinates, and of two of
 /// their error bounds, stay in the range of `f32`.
 const RANGE: core::ops::Range<f32> = 1e-14..1e14;
@@ -119,8 +121,8 @@ impl<'a> Sieve<'a> {
             l.columns(|i| y.row(rows[i])),
             l.columns(|i| z.row(rows[i])),
         ];
-        let rays =
-            self.rows.map(|[a, b, c, _]| [l.splat_wide(a), l.splat_wide(b), l.splat_wide(c)]);
+        let [org, slope, range] = &self.rows;
+        let rays = [splat3(l, org), splat3(l, slope), splat3(l, range)];
         all & !misses(l, rays, triangles)
     }
 
@@ -154,8 +156,10 @@ type Triangles<L> = [[<L as Lanes>::Wide; 3]; 3];
 #[inline(always)]
 fn misses<L: Lanes>(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> u32 {
     let [org, [sx, sy, error], [lo, hi, _]] = rays;
-    let corner = |i: usize| shear(l, org, [sx, sy], [xs[i], ys[i], zs[i]]);
-    let (a, b, c) = (corner(0), corner(1), corner(2));
+    let slope = [sx, sy];
+    let a = shear(l, org, slope, [xs[0], ys[0], zs[0]]);
+    let b = shear(l, org, slope, [xs[1], ys[1], zs[1]]);
+    let c = shear(l, org, slope, [xs[2], ys[2], zs[2]]);
     let ab = l.cross_wide(a.x, b.y, a.y, b.x);
     let bc = l.cross_wide(b.x, c.y, b.y, c.x);
     let ca = l.cross_wide(c.x, a.y, c.y, a.x);

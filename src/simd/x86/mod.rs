@@ -320,7 +320,8 @@ macro_rules! eight_lanes {
         fn tops(self, words: __m256i) -> [u32; 2] {
             with!({
                 let below = _mm256_add_epi32(words, words);
-                [words, below].map(|a| _mm256_movemask_ps(_mm256_castsi256_ps(a)) as u32)
+                let top = _mm256_movemask_ps(_mm256_castsi256_ps(words));
+                [top as u32, _mm256_movemask_ps(_mm256_castsi256_ps(below)) as u32]
             })
         }
         #[inline(always)]

@@ -147,11 +147,12 @@ impl Columns {
         }
     }
 
-    /// A ray enters a grid; what follows is a step that has led to its first voxel.
+    /// A ray enters a grid: [`Columns::arrive`] brings it to its first voxel, at s = 0.
     #[inline(always)]
     pub fn enter<L: Lanes>(&mut self, l: L, slot: usize, local: &Local<L>, course: &Course<L>) {
         let (at, last) = (l.to_f32(local.at), l.to_f32(local.last));
-        self.put(slot, &[at, local.start, local.speed, last].map(|a| l.array_f32(a)));
+        let (at, start) = (l.array_f32(at), l.array_f32(local.start));
+        self.put(slot, &[at, start, l.array_f32(local.speed), l.array_f32(last)]);
         self.nx[slot] = local.nx as f32;
         self.plane[slot] = local.plane;
         self.first[slot] = local.first;

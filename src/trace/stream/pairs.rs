@@ -2,7 +2,10 @@
 
 use super::columns::SLOTS;
 
-/// Pairs of a slot and a triangle's number.
+/// Pairs of a slot and a triangle's number. Each triangle in the array is one of the scene's,
+/// or 0, also behind the last pair: rows of eight are read, and their triangles looked up
+/// unchecked. So what is written is what [`Lanes::compress`](crate::simd::Lanes::compress)
+/// makes of references to triangles.
 pub(super) struct Pairs {
     slots: [u32; Self::ROOM],
     triangles: [u32; Self::ROOM],

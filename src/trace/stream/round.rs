@@ -19,18 +19,17 @@ use crate::triangle::Line;
 /// How many triangles of a row of boxes to fetch: more are seldom met.
 const FETCH: usize = 2;
 
-/// A bit for each of the most lanes that rows have.
-const WIDEST: u32 = 0xff;
-
 /// The lists of voxels, by slot.
 pub(super) struct Lists {
-    /// Places and lengths; or the number of the grid that the ray goes down to.
-    pub places: [u32; SLOTS],
+    /// Where they are, and how long.
+    places: [u32; SLOTS],
     lens: [u32; SLOTS],
+    /// The grids to go down to.
+    pub grids: [u32; SLOTS],
 }
 
 impl Lists {
-    pub const NONE: Self = Self { places: [0; SLOTS], lens: [0; SLOTS] };
+    pub const NONE: Self = Self { places: [0; SLOTS], lens: [0; SLOTS], grids: [0; SLOTS] };
 }
 
 /// Sets of slots, a bit each.
@@ -133,9 +132,9 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         self.sets.lists = with_list;
         self.sets.down = down;
         for slot in Slots(down) {
-            lists.places[slot] = columns.exit[slot] & PAYLOAD;
+            lists.grids[slot] = columns.exit[slot] & PAYLOAD;
             columns.exit[slot] = 0;
-            sections.fetch_grid(l, lists.places[slot]);
+            sections.fetch_grid(l, lists.grids[slot]);
             self.flights[slot].grids = Grids::NONE;
         }
         for slot in Slots(with_list) {
@@ -155,12 +154,13 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     #[inline(always)]
     fn step(&mut self) {
         let Self { lanes: l, ref mut columns, sets: Sets { live, lists, .. }, .. } = *self;
+        let row = u32::MAX >> (32 - L::WIDE);
         for i in (0..SLOTS).step_by(L::WIDE) {
-            if live >> i & WIDEST != 0 {
-                columns.step(l, i, lists >> i & WIDEST != 0);
+            if live >> i & row != 0 {
+                columns.step(l, i, lists >> i & row != 0);
             }
         }
-        for slot in 0..SLOTS {
+        for slot in Slots(live) {
             self.sections.fetch_voxel(l, columns.number[slot]);
         }
     }
@@ -173,6 +173,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         for slot in Slots(self.sets.lists) {
             let (place, len) = (self.lists.places[slot], self.lists.lens[slot]);
             let refs = place + LIST_HEAD as u32;
+            // If the list is empty this is its length, 0.
             let mixed = sections.eight(refs + len - 1)[0] & GRID_BIT != 0;
             let triangles = if mixed { self.split_apart(slot) } else { len };
             let planes = self.columns.planes(l, slot, self.flights[slot].course.mirror);
@@ -188,10 +189,12 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
                 let [slots, numbers] = self.pairs.eight_mut(n);
                 *slots = [slot as u32; 8];
                 l.compress(sections.eight(refs + at), met, numbers);
-                for &number in &numbers[..FETCH] {
-                    sections.fetch_triangle(l, number);
+                let count = met.count_ones() as usize;
+                for (i, &number) in numbers[..FETCH].iter().enumerate() {
+                    // What is not met had better not be fetched; triangle 0 costs nothing.
+                    sections.fetch_triangle(l, if i < count { number } else { 0 });
                 }
-                n += met.count_ones() as usize;
+                n += count;
                 at += L::WIDE as u32;
             }
         }
@@ -209,9 +212,11 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         let mut at = triangles;
         while at < len {
             let met = planes.met(self.lanes, self.sections.eight(first + len + at));
-            if met & !u32::MAX.checked_shl(len - at).unwrap_or(0) != 0 {
-                self.flights[slot].grids = Grids { at: first + at, end: first + len };
-                self.lists.places[slot] = self.next_grid(slot);
+            let met = met & !u32::MAX.checked_shl(len - at).unwrap_or(0);
+            if met != 0 {
+                let at = first + at + met.trailing_zeros();
+                self.flights[slot].grids = Grids { at, end: first + len };
+                self.lists.grids[slot] = self.next_grid(slot);
                 self.sets.down |= 1 << slot;
                 break;
             }

@@ -54,7 +54,8 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         let rows = [l.load3(org), l.load3(dir)];
         let header = self.view.header();
         let course = Course::new(l, rows[0], rows[1], header.unit);
-        let corners = header.corners().map(|c| l.load_f32(c));
+        let [lo, hi] = header.corners();
+        let corners = [l.load_f32(lo), l.load_f32(hi)];
         self.sieves[slot] = Sieve::new(l, &self.sections, &ray, rows, corners);
         self.flights[slot] = Flight::new(ray, index, course);
         self.columns.begin(slot, course.mirror);
@@ -85,6 +86,10 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     pub fn descend(&mut self, slot: usize, on: bool) {
         let flight = &mut self.flights[slot];
         let [from, until] = self.columns.range(slot);
+        if until < from {
+            // A hit has ended it before.
+            return self.leave(slot);
+        }
         let range = [flight.span.low(from), flight.span.high(until)];
         if (on || !flight.grids.is_empty())
             && let Some(frame) = frames(self.frames, self.depth, slot).get_mut(flight.depth)
@@ -93,7 +98,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             *frame = Frame { kept, span: flight.span, grids: flight.grids, range };
             flight.depth += 1;
         }
-        if !self.enter(slot, self.lists.places[slot], range) {
+        if !self.enter(slot, self.lists.grids[slot], range) {
             self.leave(slot);
         }
     }
