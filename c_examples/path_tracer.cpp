@@ -70,12 +70,13 @@ bool read_settings(int argc, char **argv, settings &s)
            parse_count("--bounces", bounces, 0, 64, &s.bounces);
 }
 
-// Brightness to a byte: an exposure, a shoulder for what is too bright, a display's gamma.
+// Brightness to a byte: a curve with a toe and a shoulder (Narkowicz's fit of the ACES
+// curve), then a display's gamma.
 unsigned char byte(float sum, unsigned samples)
 {
-    float value = 0.6f * sum / float(samples);
-    value = value * (1 + value / 9) / (1 + value);
-    return static_cast<unsigned char>(255 * std::pow(std::min(value * 1.35f, 1.0f), 1 / 2.2f) + 0.5f);
+    float x = 0.75f * sum / float(samples);
+    x = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
+    return static_cast<unsigned char>(255 * std::pow(std::min(x, 1.0f), 1 / 2.2f) + 0.5f);
 }
 
 std::vector<unsigned char> developed(const std::vector<vec> &picture, unsigned samples)

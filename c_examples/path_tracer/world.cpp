@@ -5,7 +5,7 @@
 namespace {
 
 // Neighbours in the mesh share a colour, and one group of so many is a mirror.
-constexpr std::uint32_t group = 12, mirrors = 6;
+constexpr std::uint32_t group = 12, mirrors = 8;
 constexpr float sun_radius = 0.02f; // radians, four times the real one's
 
 vec corner(const scene &from, std::uint32_t index)
@@ -19,7 +19,7 @@ vec tint(std::uint32_t number)
 {
     float hue = 6.2831853f * float(number & 1023) / 1024, pale = float(number >> 10 & 255) / 255;
     vec wave{std::cos(hue), std::cos(hue - 2.0944f), std::cos(hue + 2.0944f)};
-    return vec{0.55f, 0.52f, 0.48f} + wave * (0.06f + 0.2f * pale * pale);
+    return vec{0.5f, 0.47f, 0.43f} + wave * (0.05f + 0.25f * pale * pale);
 }
 
 // Bands along one side of each triangle, so that u and v are seen too.
@@ -51,8 +51,8 @@ surface world::surface_of(const hug::ray &ray, const hug::hit &hit) const
 
 vec world::sky(vec direction, bool with_sun) const
 {
-    float height = std::max(dot(direction, up_), 0.0f), near = dot(direction, sun_);
-    vec colour = vec{0.95f, 0.93f, 0.88f} * (1 - height) + vec{0.28f, 0.48f, 0.85f} * height;
+    float height = std::sqrt(std::max(dot(direction, up_), 0.0f)), near = dot(direction, sun_);
+    vec colour = vec{0.85f, 0.84f, 0.8f} * (1 - height) + vec{0.12f, 0.3f, 0.75f} * height;
     colour = colour + vec{1, 0.8f, 0.5f} * (0.35f * std::pow(std::max(near, 0.0f), 24.0f));
     if (with_sun && near > std::cos(sun_radius))
         return sunlight() * 8;
