@@ -90,4 +90,4 @@ uninstall:
 	rm -f $(HEADERS:%=$(DESTDIR)$(INCLUDEDIR)/%) $(CMAKE_FILES:%=$(DESTDIR)$(CMAKEDIR)/%) \
 		$(addprefix $(DESTDIR)$(LIBDIR)/,libhug.a libhug.so $(SONAME) $(SHARED)) \
 		$(DESTDIR)$(PKGCONFIGDIR)/hug.pc
-	-rmdir $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(DATADIR)/hug 2>/dev/null
+	rmdir $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(DATADIR)/hug 2>/dev/null || true
