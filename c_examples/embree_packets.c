@@ -96,7 +96,7 @@ static int alike(const hug_hit *a, const hug_hit *b)
 static void check_packet(const fixture *f, unsigned n, const hug_ray *rays)
 {
     packet ours, theirs, before;
-    int valid[16];
+    RTC_ALIGN(64) int valid[16]; /* as Embree wants it */
     unsigned i;
     memset(&ours, 0xa5, sizeof ours);
     for (i = 0; i < n; i++) {
