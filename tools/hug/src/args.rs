@@ -6,9 +6,10 @@ use hug_bench::kind::Kind;
 use hug_bench::notation::Notation;
 use std::path::PathBuf;
 
-const SCENES: &str = "A SCENE is a PLY file (ASCII or binary), an OBJ file, the name of one in the folder \
-$HUG_SCENES, a built-in scene (kitchen, building, building_walls, city, garden, or \
-surface:N, uniform:N, clustered:N with about N triangles), or, for info and render, a \
+const SCENES: &str = "\
+A SCENE is a PLY file (ASCII or binary), an OBJ file, the name of one in the folder
+$HUG_SCENES, a built-in scene (kitchen, building, building_walls, city, garden, or
+surface:N, uniform:N, clustered:N with about N triangles), or, for info and render, a
 file that `hug build --out` has written.";
 
 /// Builds scenes for ray tracing, looks into them, renders and compares them

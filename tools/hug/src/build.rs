@@ -8,6 +8,9 @@ pub fn run(args: &Build) -> Result<(), String> {
     let loaded = input::load(&args.scene, args.quiet)?;
     let options = args.how.options();
     let (scene, seconds) = input::build(&loaded, &options, args.how.threads, args.quiet)?;
+    if let Some(out) = &args.out {
+        file::write(&scene.view(), out)?;
+    }
     let stats = Stats::of(&scene.view());
     println!(
         "{}: {} triangles in {:.1} ms of CPU time, {:.2} million a second",
@@ -30,7 +33,6 @@ pub fn run(args: &Build) -> Result<(), String> {
         stats.bytes as f64 / stats.triangles.max(1) as f64
     );
     if let Some(out) = &args.out {
-        file::write(&scene.view(), out)?;
         println!("saved to {}", out.display());
     }
     Ok(())

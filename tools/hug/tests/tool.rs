@@ -1,6 +1,7 @@
 //! The tool as a person runs it.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -106,7 +107,8 @@ fn a_saved_scene_is_the_scene() {
             fs::read(out).expect("a picture")
         });
         assert!(pictures[0] == pictures[1], "{mode}");
-        let mut reader = png::Decoder::new(&pictures[0][..]).read_info().expect("a PNG file");
+        let mut reader =
+            png::Decoder::new(Cursor::new(&pictures[0])).read_info().expect("a PNG file");
         let mut pixels = vec![0; 32 * 32];
         reader.next_frame(&mut pixels).expect("a whole picture");
         assert!(pixels.iter().any(|&p| p != pixels[0]), "{mode}: one grey only");
