@@ -8,6 +8,7 @@ int main(void)
 {
     check_descriptors();
     check_geometries();
+    check_faults();
     check_build_into();
     check_allocators();
     check_callbacks();

@@ -1106,6 +1106,19 @@ const void *hug_data(const hug_scene *scene, size_t *len);
 hug_status hug_rebuild(hug_scene *scene, const hug_build_desc *desc);
 
 /**
+ * Says what hug_build does not take, for a message after it has failed: *geom
+ * becomes the first geometry at fault and *prim its first triangle, or HUG_NONE if
+ * it is the geometry as a whole. Returns the status that hug_build has for it.
+ *
+ * Another status with both HUG_NONE is about the descriptor itself. HUG_OK: every
+ * geometry can be built. Cost: linear in the triangles, with no allocation.
+ *
+ * # Safety
+ * desc and what it points to must be readable, geom and prim writable or NULL.
+ */
+hug_status hug_find_fault(const hug_build_desc *desc, uint32_t *geom, uint32_t *prim);
+
+/**
  * Finds the closest hit. Returns 1 and writes the hit, or returns 0 and
  * writes the record of a miss. With scene, ray or hit NULL: 0 (a hit record,
  * if there is one, becomes a miss with t = infinity).

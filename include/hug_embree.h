@@ -23,6 +23,8 @@
  * - Alignment. hug's records are aligned to 4, Embree's to 16: convert, never
  *   cast a pointer from one to the other.
  *
+ * docs/from-embree.md maps Embree's functions to hug's.
+ *
  * The same in both: direction of any length, P = (1-u-v) v0 + u v1 + v v2,
  * Ng = (v1-v0) x (v2-v0) not normalised, 0xffffffff for "no id".
  */
@@ -166,5 +168,7 @@ static inline int32_t hug_embree_occluded1(const hug_scene *scene, struct RTCRay
     hug_embree_set_occluded(occluded, ray);
     return occluded;
 }
+
+#include "hug_embree_packets.h"
 
 #endif

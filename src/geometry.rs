@@ -90,6 +90,20 @@ impl<'a> Geometry<'a> {
         }
     }
 
+    /// The first triangle with an index that names no vertex: for a message, after
+    /// a build ended in [`Error::IndexRange`].
+    ///
+    /// ```
+    /// let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let mesh = hug::Geometry::from_mesh(&vertices, &[[0, 1, 2], [0, 1, 3]]);
+    /// assert_eq!(hug::Scene::build(&[mesh], &Default::default()).err(), Some(hug::Error::IndexRange));
+    /// assert_eq!(mesh.first_bad_index(), Some(1));
+    /// ```
+    #[must_use]
+    pub fn first_bad_index(&self) -> Option<usize> {
+        (0..self.triangle_count()).find(|&prim| self.triangle(prim).is_err())
+    }
+
     /// The corners of triangle `prim`.
     #[inline(always)]
     pub(crate) fn triangle(&self, prim: usize) -> Result<[[f32; 3]; 3], Error> {

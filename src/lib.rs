@@ -29,6 +29,8 @@ extern crate std;
 mod aabb;
 mod arena;
 pub mod build;
+#[cfg(feature = "alloc")]
+mod builder;
 #[cfg(feature = "capi")]
 #[allow(missing_docs)]
 pub mod capi;
@@ -46,6 +48,8 @@ mod trace;
 mod triangle;
 
 pub use arena::View;
+#[cfg(feature = "alloc")]
+pub use builder::Builder;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
 pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
@@ -55,6 +59,15 @@ pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
 pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
 pub use trace::{Calls, Counters, Profile};
+
+/// Any number of threads may query one scene: without this it does not compile.
+const _: () = {
+    const fn shared<T: Send + Sync>() {}
+    shared::<View<'static>>();
+    shared::<Geometry<'static>>();
+    #[cfg(feature = "alloc")]
+    shared::<Scene>();
+};
 
 #[cfg(feature = "panic-handler")]
 #[panic_handler]

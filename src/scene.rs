@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::arena::View;
 use crate::arena::block::Block;
 use crate::build::{Control, measure, plan_with};
-use crate::{Error, Geometry, Options};
+use crate::{Builder, Error, Geometry, Options};
 
 /// A built scene. Queries are on its [`View`]; any number of threads can share it.
 #[derive(Clone)]
@@ -14,6 +14,11 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// A scene to be built of what is named one after the other.
+    pub fn builder<'a>() -> Builder<'a> {
+        Builder::default()
+    }
+
     /// Builds a scene from triangles. Those with a coordinate that is not
     /// finite, or without area, are dropped and counted ([`crate::Stats`]).
     /// Cost: near linear in triangles and references.
@@ -25,6 +30,26 @@ impl Scene {
     }
 
     /// [`Scene::build`] with the caller's threads, and telling how far it is.
+    ///
+    /// ```
+    /// use hug::build::{Control, Task, Threads};
+    /// struct Scoped;
+    /// impl Threads for Scoped {
+    ///     fn run(&self, tasks: &mut [Task<'_>]) {
+    ///         std::thread::scope(|scope| {
+    ///             for task in tasks {
+    ///                 scope.spawn(|| task.run());
+    ///             }
+    ///         });
+    ///     }
+    /// }
+    /// let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let (mesh, options) = ([hug::Geometry::from_mesh(&vertices, &[[0, 1, 2]])], hug::Options::default());
+    /// let mut control = Control::default().with_threads(&Scoped);
+    /// let scene = hug::Scene::build_with(&mesh, &options, &mut control)?;
+    /// assert_eq!(scene.view().bytes(), hug::Scene::build(&mesh, &options)?.view().bytes());
+    /// # Ok::<(), hug::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Scene::build`]; [`Error::Cancelled`], [`Error::Unfinished`].

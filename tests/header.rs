@@ -16,6 +16,7 @@ fn header_is_generated() {
         "stat_types.rs",
         "build.rs",
         "rebuild.rs",
+        "fault.rs",
         "query.rs",
         "stream.rs",
         "stream_soa.rs",

@@ -19,6 +19,7 @@ unsigned check_failures(void);
 /* The parts of the program. */
 void check_descriptors(void);
 void check_geometries(void);
+void check_faults(void);
 void check_build_into(void);
 void check_allocators(void);
 void check_callbacks(void);

@@ -33,6 +33,21 @@ impl<'a> View<'a> {
     /// Checks untrusted bytes and reads them in place. Bytes after the arena
     /// are ignored. Cost: linear in the arena, no allocation.
     ///
+    /// ```
+    /// # let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// # let scene = hug::Scene::builder().mesh(&vertices, &[[0, 1, 2]]).build()?;
+    /// #[repr(align(64))]
+    /// struct Saved([u8; 4096]);
+    /// let mut saved = Saved([0; 4096]);
+    /// let bytes = scene.view().bytes();
+    /// saved.0[..bytes.len()].copy_from_slice(bytes);
+    /// let ray = hug::Ray::new([0.2, 0.3, 1.0], [0.0, 0.0, -1.0]);
+    /// assert!(hug::View::open(&saved.0)?.occluded(&ray));
+    /// saved.0[40] ^= 1;
+    /// assert!(hug::View::open(&saved.0).is_err());
+    /// # Ok::<(), hug::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Alignment`] unless the bytes are aligned to 64; otherwise what
     /// is wrong with them.

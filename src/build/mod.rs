@@ -123,6 +123,20 @@ pub fn plan_with<'s>(
 /// Builds an arena in the caller's memory, with no allocation: `scratch` of any
 /// alignment, `arena` aligned to 64, both at least as [`measure`] says.
 ///
+/// ```
+/// use hug::{Geometry, Options, View, build};
+/// #[repr(align(64))]
+/// struct Memory([u8; 8192]);
+/// let (mut scratch, mut arena) = ([0; 65536], Memory([0; 8192]));
+/// let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+/// let (mesh, options) = ([Geometry::from_mesh(&vertices, &[[0, 1, 2]])], Options::default());
+/// let sizes = build::measure(&mesh, &options)?;
+/// assert!(sizes.scratch <= scratch.len() && sizes.arena <= arena.0.len());
+/// let bytes = build::build_into(&mesh, &options, &mut scratch, &mut arena.0)?;
+/// assert!(View::open(bytes)?.occluded(&hug::Ray::new([0.2, 0.3, 1.0], [0.0, 0.0, -1.0])));
+/// # Ok::<(), hug::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`plan`] and [`Plan::write`].
 pub fn build_into<'a>(

@@ -25,13 +25,8 @@ impl<'a> Parsed<'a> {
     /// # Safety
     /// `desc`, its thresholds and its geometries are readable (or NULL), for `'a`.
     pub unsafe fn read(desc: *const hug_build_desc) -> Result<Self, Error> {
-        // SAFETY: by the caller; zeros are a value of every field.
-        let head = unsafe { sized::read(desc, FIRST_DESC) }?;
-        if head.geometry_count > 0 && head.geometries.is_null() {
-            return Err(Error::Null);
-        }
-        // SAFETY: not NULL unless empty; readable by contract.
-        let geometries = unsafe { slice(head.geometries, head.geometry_count) }?;
+        // SAFETY: by the caller.
+        let (head, geometries) = unsafe { Self::listed(desc) }?;
         // SAFETY: thresholds are readable by contract.
         let options = unsafe { options(&head) }?;
         options.check()?;
@@ -39,6 +34,46 @@ impl<'a> Parsed<'a> {
             check(geometry)?;
         }
         Ok(Self { desc: head, options, geometries })
+    }
+
+    /// A descriptor and its geometries, of which nothing is checked.
+    ///
+    /// # Safety
+    /// As [`Parsed::read`].
+    unsafe fn listed(
+        desc: *const hug_build_desc,
+    ) -> Result<(hug_build_desc, &'a [hug_geometry]), Error> {
+        // SAFETY: by the caller; zeros are a value of every field.
+        let head = unsafe { sized::read(desc, FIRST_DESC) }?;
+        if head.geometry_count > 0 && head.geometries.is_null() {
+            return Err(Error::Null);
+        }
+        // SAFETY: not NULL unless empty; readable by contract.
+        Ok((head, unsafe { slice(head.geometries, head.geometry_count) }?))
+    }
+
+    /// The first geometry that a build refuses, with its triangle if it is one, and why.
+    ///
+    /// # Safety
+    /// As [`Parsed::read`].
+    pub unsafe fn fault(
+        desc: *const hug_build_desc,
+    ) -> Result<Option<(usize, Option<usize>, Error)>, Error> {
+        // SAFETY: by the caller.
+        let (_, geometries) = unsafe { Self::listed(desc) }?;
+        for (number, of) in geometries.iter().enumerate() {
+            // SAFETY: it passed the check; readable by contract.
+            match check(of).and_then(|()| unsafe { geometry(of) }) {
+                Err(error) => return Ok(Some((number, None, error))),
+                Ok(geometry) => {
+                    if let Some(prim) = geometry.first_bad_index() {
+                        return Ok(Some((number, Some(prim), Error::IndexRange)));
+                    }
+                }
+            }
+        }
+        // SAFETY: by the caller.
+        unsafe { Self::read(desc) }.map(|_| None)
     }
 
     /// Number of triangles in all geometries.

@@ -14,6 +14,7 @@ mod build;
 mod callbacks;
 mod desc;
 mod distribution;
+mod fault;
 mod guard;
 mod memory;
 mod options;
@@ -29,6 +30,7 @@ pub mod types;
 
 pub use build::*;
 pub use distribution::*;
+pub use fault::*;
 pub use profile::*;
 pub use query::*;
 pub use rebuild::*;

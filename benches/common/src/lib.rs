@@ -12,6 +12,7 @@ pub mod load;
 pub mod machine;
 pub mod named;
 pub mod notation;
+pub mod obj;
 pub mod paper;
 pub mod ply;
 pub mod ray_sets;

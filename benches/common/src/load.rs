@@ -1,6 +1,6 @@
 //! Scenes by name: built in, a file, or a file in the folder that `HUG_SCENES` names.
 
-use super::{cameras, ply};
+use super::{cameras, obj, ply};
 use hug::{Geometry, Options, Scene};
 use hug_kit::{Bounds, Mesh, View, scenes};
 use std::env;
@@ -15,7 +15,7 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// One of the kit's, `clustered:100000` and the like included, or a PLY file.
+    /// One of the kit's, `clustered:100000` and the like included, or a PLY or OBJ file.
     pub fn new(name: &str) -> Result<Self, String> {
         if let Some(scene) = scenes::generate(name) {
             let views = scene.views.iter().map(|v| (v.name.to_owned(), v.view)).collect();
@@ -23,10 +23,12 @@ impl Loaded {
         }
         let path = find(name).ok_or_else(|| {
             let known = scenes::NAMES.join(", ");
-            format!("{name}: no such scene: {known}, surface:N, uniform:N, clustered:N, or a PLY file, also one in the folder $HUG_SCENES")
+            format!("{name}: no such scene: {known}, surface:N, uniform:N, clustered:N, or a PLY or OBJ file, also one in the folder $HUG_SCENES")
         })?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        Self::of(stem, ply::read(&path)?, cameras::beside(&path)?)
+        let obj = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("obj"));
+        let mesh = if obj { obj::read(&path)? } else { ply::read(&path)? };
+        Self::of(stem, mesh, cameras::beside(&path)?)
     }
 
     fn of(name: String, mesh: Mesh, views: Vec<(String, View)>) -> Result<Self, String> {
@@ -67,7 +69,11 @@ impl Loaded {
 fn find(name: &str) -> Option<PathBuf> {
     let in_folder = |folder: PathBuf| {
         let path = folder.join(name);
-        if path.is_file() { path } else { folder.join(format!("{name}.ply")) }
+        if path.is_file() {
+            return path;
+        }
+        let ply = folder.join(format!("{name}.ply"));
+        if ply.is_file() { ply } else { folder.join(format!("{name}.obj")) }
     };
     let given = Some(PathBuf::from(name));
     let kept = folder().map(in_folder);

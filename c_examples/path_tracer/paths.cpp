@@ -1,0 +1,107 @@
+#include "path_tracer/paths.hpp"
+
+namespace {
+
+hug::ray ray_along(vec org, vec dir) { return hug::make_ray({org.x, org.y, org.z}, {dir.x, dir.y, dir.z}); }
+
+} // namespace
+
+paths::paths(const world &of, kernel &by, const kit_view &from, unsigned size, unsigned bounces)
+    : world_(of), kernel_(by), size_(size), bounces_(bounces)
+{
+    eye_ = {from.eye[0], from.eye[1], from.eye[2]};
+    ahead_ = unit(vec{from.at[0], from.at[1], from.at[2]} - eye_);
+    float half = std::tan(from.fov_deg * 3.14159265f / 360);
+    right_ = unit(cross(ahead_, {from.up[0], from.up[1], from.up[2]})) * half;
+    up_ = cross(right_, ahead_);
+}
+
+void paths::start(std::uint32_t sample, std::size_t first, std::size_t count)
+{
+    paths_.clear();
+    rays_.clear();
+    for (std::size_t i = first; i < first + count; i++) {
+        std::uint32_t pixel = std::uint32_t(i);
+        path of{{1, 1, 1}, pixel, true, sequence(pixel, sample)};
+        float x = (float(pixel % size_) + of.random.next()) / float(size_) * 2 - 1;
+        float y = 1 - (float(pixel / size_) + of.random.next()) / float(size_) * 2;
+        paths_.push_back(of);
+        rays_.push_back(ray_along(eye_, unit(ahead_ + right_ * x + up_ * y)));
+    }
+}
+
+// A path goes on from a surface: mirrored, or with sunlight noted and a new direction.
+void paths::leave(path of, const hug::ray &ray, const hug::hit &hit, bool last)
+{
+    surface at = world_.surface_of(ray, hit);
+    vec direction{ray.dir[0], ray.dir[1], ray.dir[2]};
+    of.throughput = of.throughput * at.albedo;
+    of.sees_sun = at.mirror;
+    if (at.mirror) {
+        direction = direction - at.normal * (2 * dot(direction, at.normal));
+    } else {
+        float first = of.random.next(), second = of.random.next();
+        vec sun = world_.towards_sun(first, second);
+        float cosine = dot(sun, at.normal);
+        if (cosine > 0) {
+            to_sun_.push_back(hug::skipping(ray_along(at.at, sun), hit));
+            sunlight_.push_back(of.throughput * world_.sunlight() * cosine);
+            sun_pixels_.push_back(of.pixel);
+        }
+        // Cosine-weighted.
+        vec a, b;
+        frame_of(at.normal, a, b);
+        float radius = of.random.next(), angle = 6.2831853f * of.random.next();
+        direction = a * (std::sqrt(radius) * std::cos(angle)) +
+                    b * (std::sqrt(radius) * std::sin(angle)) +
+                    at.normal * std::sqrt(1 - radius);
+    }
+    // Dark paths end early, the others stand for them.
+    float survives = std::fmin(1.0f, 2 * luminance(of.throughput));
+    if (last || of.random.next() >= survives)
+        return;
+    of.throughput = of.throughput * (1 / survives);
+    next_.push_back(of);
+    next_rays_.push_back(hug::skipping(ray_along(at.at, unit(direction)), hit));
+}
+
+void paths::meet(std::vector<vec> &picture, bool last)
+{
+    hits_.resize(rays_.size());
+    kernel_.closest(rays_, hits_);
+    next_.clear();
+    next_rays_.clear();
+    for (std::size_t i = 0; i < rays_.size(); i++) {
+        const float *dir = rays_[i].dir;
+        const path &of = paths_[i];
+        if (hug::is_hit(hits_[i]))
+            leave(of, rays_[i], hits_[i], last);
+        else
+            picture[of.pixel] = picture[of.pixel] +
+                                of.throughput * world_.sky({dir[0], dir[1], dir[2]}, of.sees_sun);
+    }
+    paths_.swap(next_);
+    rays_.swap(next_rays_);
+}
+
+void paths::look_at_sun(std::vector<vec> &picture)
+{
+    blocked_.resize(to_sun_.size());
+    kernel_.occluded(to_sun_, blocked_);
+    for (std::size_t i = 0; i < to_sun_.size(); i++)
+        if (!blocked_[i])
+            picture[sun_pixels_[i]] = picture[sun_pixels_[i]] + sunlight_[i];
+    to_sun_.clear();
+    sunlight_.clear();
+    sun_pixels_.clear();
+}
+
+void paths::add_sample(std::uint32_t sample, std::size_t first, std::size_t count,
+                       std::vector<vec> &picture)
+{
+    start(sample, first, count);
+    for (unsigned bounce = 0; bounce <= bounces_ && !rays_.empty(); bounce++) {
+        meet(picture, bounce == bounces_);
+        look_at_sun(picture);
+    }
+}
