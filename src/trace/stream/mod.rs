@@ -5,7 +5,7 @@
 //! the same at the same time (`round`): lanes are rays where they step (`columns`),
 //! boxes where a ray looks at a list (`bounds`), and pairs of any ray and any triangle
 //! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
-//! (`ways`), so lanes never idle, however different the rays are.
+//! (`ways`), so that few lanes idle, however different the rays are.
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
 //! defines. What is counted is the paper's walk of each ray, so streams that count
@@ -34,7 +34,7 @@ use round::{Lists, Rounds, Sets};
 const FRAMES: usize = 4 * SLOTS;
 
 /// Rays that are sooner answered one by one.
-const FEW: usize = 6;
+const FEW: usize = 12;
 
 /// Where rays come from and answers go.
 pub(crate) trait Port<Out> {
@@ -102,10 +102,10 @@ impl<Out> Port<Out> for Slices<'_, Out> {
 }
 
 impl View<'_> {
-    /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit. Takes
-    /// a third to two thirds of the time that they take one by one, alike or not. If there
-    /// are more rays than hits, or the reverse, the rest is left alone. Takes up to 96 kB of
-    /// stack.
+    /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit. Some
+    /// dozens of rays or more take less time so than one by one, alike or not: about two
+    /// thirds. If there are more rays than hits, or the reverse, the rest is left alone.
+    /// Takes up to 48 kB of stack.
     pub fn intersect_n(&self, rays: &[Ray], hits: &mut [Hit]) {
         let n = rays.len().min(hits.len());
         self.intersect_port(&mut Slices { rays, answers: hits }, n, &mut Uncounted);
@@ -117,14 +117,14 @@ impl View<'_> {
         self.occluded_port(&mut Slices { rays, answers: occluded }, n, &mut Uncounted);
     }
 
-    /// [`View::intersect_n`], adding what it did to `counters`: the sum of what
-    /// [`View::intersect_counted`] counts.
+    /// [`View::intersect_n`], adding what [`View::intersect_counted`] counts for each ray to
+    /// `counters`; it takes one ray at a time.
     pub fn intersect_n_counted(&self, rays: &[Ray], hits: &mut [Hit], counters: &mut Counters) {
         let n = rays.len().min(hits.len());
         self.intersect_port(&mut Slices { rays, answers: hits }, n, counters);
     }
 
-    /// [`View::occluded_n`], adding what it did to `counters`.
+    /// [`View::occluded_n`], counting likewise.
     pub fn occluded_n_counted(&self, rays: &[Ray], occluded: &mut [bool], counters: &mut Counters) {
         let n = rays.len().min(occluded.len());
         self.occluded_port(&mut Slices { rays, answers: occluded }, n, counters);
