@@ -22,7 +22,7 @@ pub use counters::Counters;
 #[cfg(feature = "capi")]
 pub(crate) use counters::{Count, Uncounted};
 pub use profile::{Calls, Profile};
-#[cfg(feature = "replay")]
-pub use walk::replay;
 #[cfg(feature = "capi")]
 pub(crate) use stream::Port;
+#[cfg(feature = "replay")]
+pub use walk::replay;

@@ -6,7 +6,7 @@ use crate::pictures::{heat, slice};
 use crate::plots::curve;
 use crate::plots::distribution::Distribution;
 use crate::sheet::Sheet;
-use crate::tables::{lengths, occupancy, performance, rendering};
+use crate::tables::{costs, lengths, occupancy, performance, rendering};
 use hug::cumulated;
 use hug_bench::machine;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -77,7 +77,7 @@ fn reading() -> Markup {
 
 fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String> {
     let mut performance = performance::bottom(subject);
-    performance.push(rendering::successes(subject));
+    performance.extend(costs::sheets(subject));
     let performance = shown(performance, sheets);
     let mut structures = Vec::new();
     for built in &subject.built {
