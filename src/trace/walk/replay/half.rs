@@ -28,8 +28,8 @@ pub struct Half<'a, Q: Query, L: Lanes> {
     /// By ray; each has met the lists before its end.
     walks: Vec<Walk<'a, Q, Uncounted, L>>,
     ends: Vec<u32>,
-    /// By entry; nowhere if the ray missed the grid.
-    locals: Vec<Local<L>>,
+    /// By entry; none if the ray missed the grid.
+    locals: Vec<Option<Local<L>>>,
 }
 
 impl<'a, Q: Query, L: Lanes> Half<'a, Q, L> {
@@ -45,8 +45,7 @@ impl<'a, Q: Query, L: Lanes> Half<'a, Q, L> {
         let Log { entries, lists, .. } = log.into_inner();
         let enter = |entry: &Entry| {
             let (walk, grid) = (&walks[entry.ray as usize], view.sections().grid(entry.grid));
-            let local = Local::enter(lanes, grid, &walk.course, walk.ray, entry.t0, entry.t1);
-            local.unwrap_or_else(|| Local::nowhere(lanes))
+            Local::enter(lanes, grid, &walk.course, walk.ray, entry.t0, entry.t1)
         };
         let locals = entries.iter().map(enter).collect();
         Self { lanes, view, entries, lists, walks, ends, locals }
@@ -70,12 +69,14 @@ impl<Q: Query, L: Lanes> Walk<'_, Q, Uncounted, L> {
     /// Meets the triangles of a list, as [`Walk::grid`] does; the grids in it are calls of
     /// their own.
     #[inline(always)]
-    fn again(&mut self, list: &Met, local: &Local<L>) -> Outcome {
+    fn again(&mut self, list: &Met, local: Option<&Local<L>>) -> Outcome {
         let l = self.lanes;
         let (exit, refs) = self.sections.list(list.place);
         if refs.len() <= SHORT && refs.last().is_none_or(|r| r & GRID_BIT == 0) {
             return self.triangles(refs);
         }
+        // There are lists only where the grid was entered.
+        let Some(local) = local else { return Outcome::Nothing };
         let boxes = local.boxes(l, &self.course, l.load_i32(&list.at), exit, list.range);
         let (mut met, mut few, mut at) = (Outcome::Nothing, Few::NONE, 0);
         let len = refs.len() as u32;
@@ -133,7 +134,7 @@ impl<Q: Query, L: Lanes> Half<'_, Q, L> {
             let local = Local::enter(l, grid, &walk.course, walk.ray, t0, entry.t1);
             last = local.as_ref().map_or(0, |local| {
                 entered += 1;
-                u64::from(local.end.to_bits()) | l.array(local.at)[0] as u64
+                local.span.low(0.0).to_bits() | l.array(local.at)[0] as u64
             });
             black_box(&local);
         }
@@ -146,6 +147,7 @@ impl<Q: Query, L: Lanes> Half<'_, Q, L> {
         let sections = self.view.sections();
         let mut lists = 0;
         for (entry, local) in self.entries.iter().zip(&self.locals) {
+            let Some(local) = local else { continue };
             let course = &self.walks[entry.ray as usize].course;
             let (mut at, mut out) = (local.at, 0.0);
             for _ in 0..entry.steps {
@@ -176,7 +178,7 @@ impl<Q: Query, L: Lanes> Half<'_, Q, L> {
         for (walk, &end) in self.walks.iter_mut().zip(&self.ends) {
             walk.rewind();
             for list in &self.lists[start..end as usize] {
-                let met = walk.again(list, &self.locals[list.entry as usize]);
+                let met = walk.again(list, self.locals[list.entry as usize].as_ref());
                 decided += u64::from(met != Outcome::Nothing);
             }
             start = end as usize;
@@ -214,7 +216,7 @@ impl<Q: Query, L: Lanes> Machine for Half<'_, Q, L> {
                 for &r in refs.iter().filter(|&&r| r & GRID_BIT == 0) {
                     visit(walk.ray, sections.triangle(r).all(), walk.query.limit());
                 }
-                walk.again(list, &self.locals[list.entry as usize]);
+                walk.again(list, self.locals[list.entry as usize].as_ref());
             }
             start = end as usize;
         }
