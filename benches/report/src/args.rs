@@ -5,7 +5,8 @@ use hug_bench::notation::{Configuration, Notation, scene};
 use std::path::PathBuf;
 
 /// Repeats the tables, plots and claims of Cazals & Puech 1997 on the project's scenes and any
-/// other: one HTML page that needs no other file, and the tables as CSV.
+/// other: one HTML page that needs no other file, and beside it the tables as CSV and the pictures
+/// as PNG.
 #[derive(Parser, Clone, Debug)]
 #[command(name = "hug-report")]
 pub struct Args {

@@ -211,7 +211,7 @@ fn growth(
         what,
         paper,
         ours: number(ratio),
-        verdict: Verdict::of((ratio / factor - 1.0).abs() <= 0.25, ratio > 1.0),
+        verdict: Verdict::of((ratio / factor - 1.0).abs() <= 0.15, ratio > 1.0),
         reason: format!(
             "{}: tests grow by {}, voxels by {}, grids by {}",
             built.name,

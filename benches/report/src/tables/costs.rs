@@ -164,9 +164,11 @@ fn readings(subject: &Subject) -> Sheet {
     head.extend(["in range", "before the closest hit", "facing"]);
     let mut sheet = Sheet::new(file, title, &head).noted(
         "Of the tests of the record. Not parallel: to the last bit, as the definition has it and \
-         %s1 counts; sine: of the angle between ray and plane; in range: the plane is met at a \
-         parameter of the ray, so not behind its origin; before the closest hit: nor beyond what \
-         the ray is known to hit; facing: from the normal's side.",
+         %s1 counts; hardly a ray fails. Sine: of the angle between ray and plane. In range: the \
+         plane is met at a parameter of the ray, so neither behind its origin nor behind the light; \
+         before the closest hit: nor beyond what the ray is known to hit. Facing: from the side of \
+         the normal. Figures of the size of the paper's come out if points that cannot be the \
+         answer fail too, or at a sine of 0.1, which no routine would call coplanar.",
     );
     for (frame, costs) in subject.frames.iter().zip(&subject.costs) {
         for (built, costs) in subject.built.iter().zip(costs) {

@@ -52,6 +52,7 @@ impl<'a, Q: Query, L: Lanes> Half<'a, Q, L> {
     }
 }
 
+#[inline(always)]
 fn begin<'a, Q: Query, L: Lanes>(l: L, view: &View<'a>, ray: &'a Ray) -> Walk<'a, Q, Uncounted, L> {
     // Of no size: nothing is allocated.
     Walk::new(l, view, ray, Q::new(ray), Box::leak(Box::new(Uncounted)))
