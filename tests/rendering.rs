@@ -95,9 +95,9 @@ impl Reference<'_> {
             let at =
                 [voxel % grid.n[0], voxel / grid.n[0] % grid.n[1], voxel / grid.n[0] / grid.n[1]];
             let (mut low, mut high) = (t0, t1);
-            for k in 0..3 {
+            for (k, i) in at.into_iter().enumerate() {
                 let plane = |i: usize| grid.lo[k] + grid.cell[k] * i as f64;
-                let ends = [at[k], at[k] + 1].map(|i| (plane(i) - self.org[k]) / self.dir[k]);
+                let ends = [i, i + 1].map(|i| (plane(i) - self.org[k]) / self.dir[k]);
                 low = low.max(ends[0].min(ends[1]));
                 high = high.min(ends[0].max(ends[1]));
             }
@@ -182,7 +182,7 @@ fn rays(mesh: &Mesh, n: usize) -> Vec<Ray> {
         })
     };
     let shoot = |i: usize| {
-        let (from, to) = (point(if i % 3 == 0 { 0.0 } else { 1.0 }), point(0.0));
+        let (from, to) = (point(if i.is_multiple_of(3) { 0.0 } else { 1.0 }), point(0.0));
         Ray::new(from.map(|x| x as f32), [0, 1, 2].map(|k| (to[k] - from[k]) as f32))
     };
     (0..n).map(shoot).collect()
