@@ -66,7 +66,7 @@ fn the_papers_configurations_of_a_small_scene() {
         let start = format!("clustered:400.{structure}");
         let costs = line(&table("figure_10_top"), &start);
         let nanoseconds = |i: usize| costs[i].parse::<f64>().expect("a number");
-        assert!([2, 4, 6].into_iter().all(|i| nanoseconds(i) > 0.0), "{costs:?}");
+        assert!([2, 4, 6].into_iter().all(|i| nanoseconds(i) >= 0.0), "{costs:?}");
         assert_eq!(line(&table("cost_matrix"), &start).len(), 9);
         assert_eq!(line(&table("call_sums"), &start).len(), 13);
     }
