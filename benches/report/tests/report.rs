@@ -41,7 +41,7 @@ fn the_papers_configurations_of_a_small_scene() {
     for link in links.filter(|link| !link.starts_with('#')) {
         assert!(args.out.join(link).is_file(), "{link} is not there");
     }
-    for picture in ["inside", "r50.slice-y", "auto.inside.tests", "u.f3.1.inside.voxels"] {
+    for picture in ["derived", "r50.slice-y", "auto.derived.tests", "u.f3.1.derived.voxels"] {
         let path = args.out.join(format!("pictures/clustered_400.{picture}.png"));
         assert!(fs::read(&path).is_ok_and(|bytes| bytes.starts_with(b"\x89PNG")), "{picture}");
     }
@@ -59,7 +59,7 @@ fn the_papers_configurations_of_a_small_scene() {
     assert_eq!(sums[4], voxels.to_string());
     // Every structure has costs, and each predicts every other.
     let table = |name| {
-        let path = args.out.join(format!("tables/clustered_400.inside.{name}.csv"));
+        let path = args.out.join(format!("tables/clustered_400.derived.{name}.csv"));
         fs::read_to_string(path).expect("a table of costs")
     };
     for structure in ["r500", "u.f2.sqrt2", "auto"] {
