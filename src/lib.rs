@@ -58,6 +58,9 @@ pub use ray::{Hit, NONE, Ray};
 pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
 pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
+#[cfg(feature = "replay")]
+#[doc(hidden)]
+pub use trace::replay;
 pub use trace::{Calls, Counters, Profile};
 
 /// Any number of threads may query one scene: without this it does not compile.

@@ -14,6 +14,8 @@ struct Voxel {
     grid: usize,
     triangles: Vec<u32>,
     grids: u64,
+    /// Of the voxels' and the references' sections: its own, and those of its list.
+    words: u64,
 }
 
 fn voxels(arena: &[u8]) -> Vec<Voxel> {
@@ -24,10 +26,12 @@ fn voxels(arena: &[u8]) -> Vec<Voxel> {
         let first = bytes::get32(arena, at + bytes::FIRST) as usize;
         let n = [0, 2, 4].map(|k| usize::from(bytes::get16(arena, at + bytes::N + k)));
         for number in first..first + n.iter().product::<usize>() {
+            let mut words = 1;
             let refs = match bytes::voxel(arena, number) {
                 (bytes::LIST, start) => {
                     let head = bytes::record(arena, bytes::REFS, start as usize);
                     let length = bytes::get32(arena, head + 4) as usize;
+                    words += 2 + 2 * length as u64;
                     (0..length).map(|i| bytes::get32(arena, head + 8 + 4 * i)).collect()
                 }
                 (bytes::GRID, number) => vec![number | bytes::GRID_BIT],
@@ -35,7 +39,7 @@ fn voxels(arena: &[u8]) -> Vec<Voxel> {
             };
             let (grids, triangles): (Vec<u32>, Vec<u32>) =
                 refs.into_iter().partition(|r| r & bytes::GRID_BIT != 0);
-            all.push(Voxel { level, grid, triangles, grids: grids.len() as u64 });
+            all.push(Voxel { level, grid, triangles, grids: grids.len() as u64, words });
         }
     }
     all
@@ -83,6 +87,8 @@ fn recount(what: &str, level: &Level, of: &[&Voxel]) {
     let numbers = of.iter().map(|v| v.grid).collect::<BTreeSet<_>>().len() as u64;
     assert_eq!(level.grids, numbers, "{what}");
     assert_eq!(level.voxels, of.len() as u64, "{what}");
+    let words: u64 = of.iter().map(|v| v.words).sum();
+    assert_eq!(level.bytes, 64 * numbers + 4 * words, "{what}");
     assert_eq!(level.object_voxels, filled(&objects).len() as u64, "{what}");
     assert_eq!(level.grid_voxels, filled(&grids).len() as u64, "{what}");
     assert_eq!(level.pointers() as f64, objects.iter().chain(&grids).sum::<f64>(), "{what}");
@@ -94,11 +100,21 @@ fn levels_are_what_the_bytes_hold() {
         let (all, stats) = (voxels(view.bytes()), Stats::of(view));
         let whole = stats.triangles + stats.dropped_degenerate;
         assert_eq!(whole, mesh.indices.len() as u64, "{what}");
+        assert_eq!(stats.total.bytes, stats.grid_bytes + stats.voxel_bytes + stats.ref_bytes);
+        let volumes: Vec<(u32, f64)> = (0..view.grid_count())
+            .filter_map(|number| view.grid_shape(number))
+            .map(|g| (g.level, (0..3).map(|k| g.upper[k] - g.lower[k]).product()))
+            .collect();
+        let largest = volumes.iter().map(|v| v.1).fold(0.0, f64::max);
         for (number, level) in stats.levels().iter().enumerate() {
             let of: Vec<&Voxel> = all.iter().filter(|v| v.level == number).collect();
             recount(&format!("{what}, level {number}"), level, &of);
             let distinct: BTreeSet<u32> = of.iter().flat_map(|v| v.triangles.clone()).collect();
             assert_eq!(level.objects, distinct.len() as u64, "{what}, level {number}");
+            let volume: f64 = volumes.iter().filter(|v| v.0 as usize == number).map(|v| v.1).sum();
+            // A grid's cells are rounded to `f32` in their reciprocals.
+            let off = (level.volume - volume / largest).abs();
+            assert!(off <= 1e-6 * level.volume, "{what}, level {number}: %vol off by {off}");
         }
     });
 }

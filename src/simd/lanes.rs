@@ -8,7 +8,7 @@
 /// anyway. What four lanes compute is the same everywhere, bit for bit, but for numbers
 /// out of range, NaN and which of two zeros is the greater; wide rows may round
 /// otherwise.
-pub(crate) trait Lanes: Copy {
+pub(crate) trait Lanes: Copy + 'static {
     type F64: Copy;
     type F32: Copy;
     type I32: Copy;

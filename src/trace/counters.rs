@@ -24,6 +24,8 @@ pub(crate) trait Count: Copy {
     const COUNTS: bool = true;
     /// Whether it wants to look at every triangle that is tested.
     const LOOKS: bool = false;
+    /// Whether it keeps the arguments of calls (`walk::replay`).
+    const KEEPS: bool = false;
     /// A level, as what comes back to it keeps it: nothing, if levels are not told apart.
     type Level: Copy + Default;
     fn of(level: u8) -> Self::Level;
@@ -34,6 +36,10 @@ pub(crate) trait Count: Copy {
     fn tests(&mut self, _: usize) {}
     fn hit(&mut self) {}
     fn look(&mut self, _: &Ray, _: &impl Corners) {}
+    /// The ray comes to a grid, with this part of it.
+    fn keep_grid(&mut self, _: u32, _: [f64; 2]) {}
+    /// The ray, in this voxel and with this part of it, meets the list at a place.
+    fn keep_list(&mut self, _: u32, _: [i32; 4], _: [f32; 2]) {}
 }
 
 /// The best instruction set of x86-64 that walks are compiled for which count so.

@@ -24,3 +24,5 @@ pub(crate) use counters::{Count, Uncounted};
 pub use profile::{Calls, Profile};
 #[cfg(feature = "capi")]
 pub(crate) use stream::Port;
+#[cfg(feature = "replay")]
+pub use walk::replay;

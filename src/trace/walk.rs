@@ -10,6 +10,9 @@
 //! back, and no list of visited grids is needed. Recursion is as deep as the
 //! levels, at most 16.
 
+#[cfg(feature = "replay")]
+pub mod replay;
+
 use super::bounds::{BATCH, Few, Part};
 use super::counters::Count;
 use super::course::Course;
@@ -135,6 +138,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     fn grid(&mut self, number: u32, t0: f64, t1: f64) -> bool {
         self.counters.level(C::of(self.sections.grid(number).level));
         self.counters.grid();
+        if C::KEEPS {
+            self.counters.keep_grid(number, [t0, t1]);
+        }
         let l = self.lanes;
         let grid = self.sections.grid(number);
         let Some(local) = Local::enter(l, grid, &self.course, self.ray, t0, t1) else {
@@ -154,6 +160,10 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 let (exit, refs) =
                     if tag == LIST { self.sections.list(payload) } else { (0, &[][..]) };
                 let step = local.step::<C>(l, &self.course, at, exit);
+                if C::KEEPS && tag == LIST {
+                    let until = if step.out < stop { step.out } else { stop };
+                    self.counters.keep_list(payload, l.array(at), [s, until]);
+                }
                 let short = refs.len() <= SHORT && refs.last().is_none_or(|r| r & GRID_BIT == 0);
                 let met = if tag == LIST && short {
                     self.triangles(refs)

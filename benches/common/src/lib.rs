@@ -3,6 +3,7 @@
 pub mod args;
 pub mod cameras;
 pub mod clock;
+pub mod costs;
 pub mod cpu_time;
 pub mod figures;
 pub mod fit;

@@ -5,7 +5,8 @@ use hug_bench::notation::{Configuration, Notation, scene};
 use std::path::PathBuf;
 
 /// Repeats the tables, plots and claims of Cazals & Puech 1997 on the project's scenes and any
-/// other: one HTML page that needs no other file, and the tables as CSV.
+/// other: one HTML page that needs no other file, and beside it the tables as CSV and the pictures
+/// as PNG.
 #[derive(Parser, Clone, Debug)]
 #[command(name = "hug-report")]
 pub struct Args {
@@ -69,12 +70,13 @@ impl Args {
     }
 }
 
-/// The paper's structures for a scene of this many triangles, and the library's own choice. The
-/// uniform grid is cut by the cube-root criterion: 28 for the paper's kitchen.
-pub fn paper_structures(triangles: u64) -> Vec<Notation> {
+/// The paper's structures for a scene of this name and so many triangles, and the library's own
+/// choice. The uniform grid is cut by the cube-root criterion: 28 for the paper's kitchen. For the
+/// building the paper has a finer one.
+pub fn paper_structures(short: &str, triangles: u64) -> Vec<Notation> {
     let side = (triangles as f64).cbrt().round().clamp(1.0, 2048.0) as u32;
     let hug = |levels, alpha| Notation::Hug { levels, alpha };
-    vec![
+    let mut all = vec![
         Notation::Uniform(Some(side)),
         Notation::Recursive(50),
         Notation::Recursive(500),
@@ -83,5 +85,9 @@ pub fn paper_structures(triangles: u64) -> Vec<Notation> {
         hug(2, std::f32::consts::SQRT_2),
         hug(2, 1.0),
         Notation::Auto,
-    ]
+    ];
+    if short == "csb" {
+        all.insert(1, Notation::Uniform(Some(80)));
+    }
+    all
 }

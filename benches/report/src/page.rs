@@ -2,30 +2,31 @@
 
 use crate::claims::{self, Claim};
 use crate::measure::{Built, CLASSES, SHARE, Subject};
-use crate::pictures::{heat, slice};
+use crate::pictures::{Gallery, heat, slice};
 use crate::plots::curve;
 use crate::plots::distribution::Distribution;
 use crate::sheet::Sheet;
-use crate::tables::{lengths, occupancy, performance, rendering};
+use crate::tables::{costs, lengths, occupancy, performance, rendering};
 use hug::cumulated;
 use hug_bench::machine;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 const STYLE: &str = include_str!("style.css");
 
-/// The page, and the tables on it.
+/// The page, and the tables and pictures on it.
 pub struct Report {
     pub page: String,
     pub sheets: Vec<Sheet>,
+    pub gallery: Gallery,
 }
 
 impl Report {
     pub fn new(subjects: &[Subject], command: &str) -> Result<Self, String> {
         let judged: Vec<Claim> = claims::all(subjects);
         let mut sheets = vec![lengths::sheet(subjects), claims::sheet(&judged)];
-        let mut sections = Vec::new();
+        let (mut sections, mut gallery) = (Vec::new(), Gallery::default());
         for subject in subjects {
-            sections.push(section(subject, &mut sheets)?);
+            sections.push(section(subject, &mut sheets, &mut gallery)?);
         }
         let title = "hug: the paper's instruments";
         let page = html! {
@@ -52,7 +53,7 @@ impl Report {
                 }
             }
         };
-        Ok(Self { page: page.into_string(), sheets })
+        Ok(Self { page: page.into_string(), sheets, gallery })
     }
 }
 
@@ -75,9 +76,13 @@ fn reading() -> Markup {
     }
 }
 
-fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String> {
+fn section(
+    subject: &Subject,
+    sheets: &mut Vec<Sheet>,
+    gallery: &mut Gallery,
+) -> Result<Markup, String> {
     let mut performance = performance::bottom(subject);
-    performance.push(rendering::successes(subject));
+    performance.extend(costs::sheets(subject));
     let performance = shown(performance, sheets);
     let mut structures = Vec::new();
     for built in &subject.built {
@@ -93,7 +98,7 @@ fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String>
         section id=(subject.short) {
             h2 { (subject.loaded.name) }
             div.pictures { figure.plot { (PreEscaped(length_chart(subject)?)) } }
-            (heat::views(subject)?)
+            (heat::views(subject, gallery)?)
             h3 { "Performance" }
             @for table in &performance { (table) }
             @if let Some(chart) = curve_chart(subject)? {
@@ -102,8 +107,8 @@ fn section(subject: &Subject, sheets: &mut Vec<Sheet>) -> Result<Markup, String>
             h3 { "Structures" }
             @for part in &structures { (part) }
             h3 { "Pictures" }
-            (slice::all(subject)?)
-            (heat::all(subject)?)
+            (slice::all(subject, gallery)?)
+            (heat::all(subject, gallery)?)
         }
     })
 }

@@ -7,8 +7,9 @@ use crate::progress::Progress;
 use std::fs;
 use std::path::PathBuf;
 
-/// The folder of the CSV files, beside the page.
+/// The folders of the CSV files and of the pictures, beside the page.
 pub const TABLES: &str = "tables";
+const PICTURES: &str = "pictures";
 
 /// Measures and writes; the path of the page.
 pub fn run(args: &Args, command: &str) -> Result<PathBuf, String> {
@@ -28,6 +29,9 @@ pub fn run(args: &Args, command: &str) -> Result<PathBuf, String> {
     for sheet in &report.sheets {
         sheet.write(&tables)?;
     }
+    let pictures = args.out.join(PICTURES);
+    fs::create_dir_all(&pictures).map_err(failed)?;
+    report.gallery.write(&pictures)?;
     let page = args.out.join("report.html");
     fs::write(&page, report.page).map_err(failed)?;
     Ok(page)

@@ -41,6 +41,10 @@ fn the_papers_configurations_of_a_small_scene() {
     for link in links.filter(|link| !link.starts_with('#')) {
         assert!(args.out.join(link).is_file(), "{link} is not there");
     }
+    for picture in ["derived", "r50.slice-y", "auto.derived.tests", "u.f3.1.derived.voxels"] {
+        let path = args.out.join(format!("pictures/clustered_400.{picture}.png"));
+        assert!(fs::read(&path).is_ok_and(|bytes| bytes.starts_with(b"\x89PNG")), "{picture}");
+    }
     let figure_4 = fs::read_to_string(args.out.join("tables/figure_4.csv")).expect("figure 4");
     assert_eq!(line(&figure_4, "clustered:400,ours")[2], "400");
     let histogram = fs::read_to_string(args.out.join("tables/clustered_400.r50.histogram.csv"));
@@ -53,6 +57,19 @@ fn the_papers_configurations_of_a_small_scene() {
         .sum();
     let sums = line(&resources.expect("a table"), "sum,ours");
     assert_eq!(sums[4], voxels.to_string());
+    // Every structure has costs, and each predicts every other.
+    let table = |name| {
+        let path = args.out.join(format!("tables/clustered_400.derived.{name}.csv"));
+        fs::read_to_string(path).expect("a table of costs")
+    };
+    for structure in ["r500", "u.f2.sqrt2", "auto"] {
+        let start = format!("clustered:400.{structure}");
+        let costs = line(&table("figure_10_top"), &start);
+        let nanoseconds = |i: usize| costs[i].parse::<f64>().expect("a number");
+        assert!([2, 4, 6].into_iter().all(|i| nanoseconds(i) >= 0.0), "{costs:?}");
+        assert_eq!(line(&table("cost_matrix"), &start).len(), 9);
+        assert_eq!(line(&table("call_sums"), &start).len(), 13);
+    }
 }
 
 #[test]

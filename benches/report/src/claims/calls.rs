@@ -49,7 +49,6 @@ pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
             },
         ),
         further(e),
-        costs(),
     ]
 }
 
@@ -151,9 +150,4 @@ fn further(e: &Evidence<'_>) -> Claim {
             number(coarse.percent_passed_1())
         ),
     }
-}
-
-fn costs() -> Claim {
-    let what = "Call costs vary by up to 5 with the structure they are called from";
-    Claim::missing(what, "3.0e-7 to 1.6e-6 s a test", "the replay of recorded calls")
 }

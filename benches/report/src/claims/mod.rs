@@ -1,6 +1,7 @@
 //! The paper's claims, each judged by what was measured here.
 
 mod calls;
+mod costs;
 mod occupancy;
 mod time;
 
@@ -74,10 +75,8 @@ impl<'a> Evidence<'a> {
 
 pub fn all(subjects: &[Subject]) -> Vec<Claim> {
     let evidence = Evidence(subjects);
-    [occupancy::claims(&evidence), calls::claims(&evidence), time::claims(&evidence)]
-        .into_iter()
-        .flatten()
-        .collect()
+    let all = [occupancy::claims, calls::claims, costs::claims, time::claims];
+    all.into_iter().flat_map(|claims| claims(&evidence)).collect()
 }
 
 pub fn sheet(claims: &[Claim]) -> Sheet {

@@ -2,8 +2,9 @@
 
 use super::render::{Frame, Rendered};
 use crate::pictures::slice::{self, Slice};
-use hug::{Calls, Occupancy, Stats};
+use hug::{Calls, Occupancy, Scene, Stats};
 use hug_bench::clock;
+use hug_bench::figures::Spread;
 use hug_bench::load::Loaded;
 use hug_bench::notation::Notation;
 
@@ -21,29 +22,47 @@ pub struct Built {
     pub slices: Vec<Slice>,
 }
 
-impl Built {
-    /// Builds and measures; `whole` with slices and maps, which take memory.
-    pub fn measure(
-        loaded: &Loaded,
-        short: &str,
-        notation: Notation,
-        frames: &[Frame],
-        rounds: u32,
-        whole: bool,
-    ) -> Result<Self, String> {
-        let name = format!("{short}.{notation}");
+/// A scene in a data structure, not yet looked at.
+pub struct Plain {
+    pub notation: Notation,
+    pub scene: Scene,
+    /// CPU time of the build.
+    pub seconds: f64,
+}
+
+impl Plain {
+    pub fn build(loaded: &Loaded, notation: Notation) -> Result<Self, String> {
         let mut scene = None;
         let options = notation.options_for(loaded.mesh.indices.len() as u64);
         let seconds = clock::seconds(clock::process, || scene = Some(loaded.build(&options)));
         let scene = scene.ok_or("the clock did not run the build")?;
-        let scene = scene.map_err(|error| format!("{name}: {error}"))?;
-        let view = scene.view();
+        Ok(Self { notation, scene: scene.map_err(|e| format!("{notation}: {e}"))?, seconds })
+    }
+}
+
+impl Built {
+    /// Counts everything; `whole` with slices and maps, which take memory.
+    pub fn of(
+        plain: &Plain,
+        loaded: &Loaded,
+        short: &str,
+        frames: &[Frame],
+        times: &[Spread],
+        whole: bool,
+    ) -> Self {
+        let view = plain.scene.view();
         let stats = Stats::of(&view);
         let levels = 0..stats.levels().len();
-        let histograms = levels.map(|level| Occupancy::histogram(&view, Some(level))).collect();
-        let rendered = frames.iter().map(|f| Rendered::new(f, &view, rounds, whole)).collect();
-        let slices = if whole { slice::both(&view, &loaded.mesh) } else { Vec::new() };
-        Ok(Self { name, notation, stats, histograms, seconds, rendered, slices })
+        let frames = frames.iter().zip(times);
+        Self {
+            name: format!("{short}.{}", plain.notation),
+            notation: plain.notation,
+            stats,
+            histograms: levels.map(|level| Occupancy::histogram(&view, Some(level))).collect(),
+            seconds: plain.seconds,
+            rendered: frames.map(|(f, &t)| Rendered::new(f, &view, t, whole)).collect(),
+            slices: if whole { slice::both(&view, &loaded.mesh) } else { Vec::new() },
+        }
     }
 
     /// Bytes of grids, voxels and references, in units of 2^20; the triangles' own are the same
@@ -57,8 +76,8 @@ impl Built {
         self.rendered.get(frame).map(|r| r.profile.total()).unwrap_or_default()
     }
 
-    /// CPU seconds of the picture of this number.
+    /// CPU seconds of the picture of this number, the median.
     pub fn time(&self, frame: usize) -> Option<f64> {
-        self.rendered.get(frame).map(|r| r.seconds)
+        self.rendered.get(frame).map(|r| r.seconds.median)
     }
 }

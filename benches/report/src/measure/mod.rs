@@ -3,12 +3,14 @@
 pub mod built;
 pub mod render;
 
-pub use built::Built;
+pub use built::{Built, Plain};
 pub use render::{Frame, Rendered};
 
 use crate::args::{Job, paper_structures};
 use crate::progress::Progress;
-use hug::{Lengths, Options, Structure};
+use hug::{Lengths, Options, Structure, View};
+use hug_bench::costs::{self, Costs, Rays};
+use hug_bench::figures::Spread;
 use hug_bench::load::Loaded;
 use hug_bench::notation::{Notation, short};
 
@@ -16,6 +18,9 @@ use hug_bench::notation::{Notation, short};
 pub const CLASSES: usize = 50;
 /// Where that histogram ends, as in the paper's charts.
 pub const SHARE: f64 = 0.2;
+
+/// Rounds of the calls for one of the pictures: they are shorter, and their costs are compared.
+const CALL_ROUNDS: usize = 3;
 
 /// Views of a scene that are rendered.
 const VIEWS: usize = 2;
@@ -30,6 +35,8 @@ pub struct Subject {
     pub frames: Vec<Frame>,
     /// The structures asked for.
     pub built: Vec<Built>,
+    /// What their calls cost, by frame and structure.
+    pub costs: Vec<Vec<Costs>>,
     /// More recursive grids, for memory against time.
     pub recursive: Vec<Built>,
 }
@@ -52,7 +59,7 @@ impl Subject {
             .map(|(name, view)| Frame::new(name, &view, size, &loaded, &plain.view()))
             .collect();
         let structures = match &job.structures[..] {
-            [] => paper_structures(lengths.count),
+            [] => paper_structures(&short, lengths.count),
             given => given.to_vec(),
         };
         let curve = CURVE.map(Notation::Recursive);
@@ -61,16 +68,39 @@ impl Subject {
         } else {
             Vec::new()
         };
-        bar.more(structures.len() + more.len());
-        let measure = |notation: &Notation, whole: bool| {
-            bar.at(&format!("{short}.{notation}"));
-            let built = Built::measure(&loaded, &short, *notation, &frames, rounds, whole);
+        let all: Vec<&Notation> = structures.iter().chain(&more).collect();
+        bar.more(2 * all.len() + 2 * frames.len());
+        let step = |what: &str| bar.at(&format!("{short}: {what}"));
+        let build = |notation: &&Notation| {
+            step(&format!("building {notation}"));
+            let plain = Plain::build(&loaded, **notation);
+            bar.done();
+            plain.map_err(|error| format!("{short}.{error}"))
+        };
+        let plain: Vec<Plain> = all.iter().map(build).collect::<Result<_, _>>()?;
+        let views: Vec<View<'_>> = plain.iter().map(|p| p.scene.view()).collect();
+        let asked = &views[..structures.len()];
+        let (mut times, mut costs) = (Vec::new(), Vec::new());
+        for frame in &frames {
+            step(&format!("timing view {}", frame.view));
+            times.push(render::times(frame, &views, rounds));
+            bar.done();
+            step(&format!("timing the calls of view {}", frame.view));
+            let rays = Rays::of(&frame.primary, &frame.shadow);
+            costs.push(costs::measure(asked, &rays, CALL_ROUNDS * rounds as usize));
+            bar.done();
+        }
+        let count = |(i, plain): (usize, &Plain)| {
+            step(&format!("counting in {}", plain.notation));
+            let times: Vec<Spread> = times.iter().map(|of: &Vec<Spread>| of[i]).collect();
+            let whole = i < structures.len();
+            let built = Built::of(plain, &loaded, &short, &frames, &times, whole);
             bar.done();
             built
         };
-        let built = structures.iter().map(|n| measure(n, true)).collect::<Result<Vec<_>, _>>()?;
-        let recursive = more.iter().map(|n| measure(n, false)).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { loaded, short, lengths, length_counts, frames, built, recursive })
+        let mut built: Vec<Built> = plain.iter().enumerate().map(count).collect();
+        let recursive = built.split_off(structures.len());
+        Ok(Self { loaded, short, lengths, length_counts, frames, built, costs, recursive })
     }
 
     /// A structure by its notation, among all that were built.

@@ -56,15 +56,15 @@ fn shade(ray: &Ray, hit: &Hit) -> u8 {
 pub struct Rendered {
     /// Of all its rays, level by level.
     pub profile: Profile,
-    /// CPU seconds, the median of the rounds.
-    pub seconds: f64,
+    /// CPU seconds by the queries that count nothing.
+    pub seconds: Spread,
     /// Tests and voxels of each pixel's primary ray, by row and column.
     pub tests: Vec<u64>,
     pub voxels: Vec<u64>,
 }
 
 impl Rendered {
-    pub fn new(frame: &Frame, view: &View<'_>, rounds: u32, maps: bool) -> Self {
+    pub fn new(frame: &Frame, view: &View<'_>, seconds: Spread, maps: bool) -> Self {
         let mut profile = Profile::default();
         let pixels = (frame.size * frame.size) as usize;
         let (mut tests, mut voxels) = (vec![0; pixels], vec![0; pixels]);
@@ -81,21 +81,25 @@ impl Rendered {
         if !maps {
             (tests, voxels) = (Vec::new(), Vec::new());
         }
-        Self { profile, seconds: time(frame, view, rounds), tests, voxels }
+        Self { profile, seconds, tests, voxels }
     }
 }
 
-/// By the queries that count nothing.
-fn time(frame: &Frame, view: &View<'_>, rounds: u32) -> f64 {
-    let whole: Contender<'_> = Box::new(|items| {
-        let share = |rays: &[Ray]| rays.len() * items / frame.primary.len().max(1);
-        for ray in &frame.primary[..share(&frame.primary)] {
-            black_box(view.intersect(ray));
-        }
-        for ray in &frame.shadow[..share(&frame.shadow)] {
-            black_box(view.occluded(ray));
-        }
-    });
-    let times = rounds::run(&mut [whole], frame.primary.len(), rounds as usize, clock::thread);
-    Spread::of(times.into_iter().flatten()).median
+/// CPU seconds of the picture in each of some scenes, by the queries that count nothing. They
+/// take turns, so that a machine that slows down does so for all.
+pub fn times(frame: &Frame, views: &[View<'_>], rounds: u32) -> Vec<Spread> {
+    let picture = |view| -> Contender<'_> {
+        Box::new(move |items| {
+            let share = |rays: &[Ray]| rays.len() * items / frame.primary.len().max(1);
+            for ray in &frame.primary[..share(&frame.primary)] {
+                black_box(View::intersect(view, ray));
+            }
+            for ray in &frame.shadow[..share(&frame.shadow)] {
+                black_box(View::occluded(view, ray));
+            }
+        })
+    };
+    let mut all: Vec<Contender<'_>> = views.iter().map(picture).collect();
+    let times = rounds::run(&mut all, frame.primary.len(), rounds as usize, clock::thread);
+    times.into_iter().map(Spread::of).collect()
 }

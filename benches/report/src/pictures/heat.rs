@@ -1,6 +1,6 @@
 //! Heat maps: what each pixel's primary ray cost, on one scale for all structures.
 
-use super::{image, legend, ramp};
+use super::{Gallery, legend, ramp};
 use crate::measure::Subject;
 use maud::{Markup, html};
 
@@ -12,7 +12,12 @@ fn end(maps: &[&[u64]]) -> u64 {
 }
 
 /// One map a structure, of frame number `frame`.
-fn maps(subject: &Subject, frame: usize, voxels: bool) -> Result<Markup, String> {
+fn maps(
+    subject: &Subject,
+    frame: usize,
+    voxels: bool,
+    gallery: &mut Gallery,
+) -> Result<Markup, String> {
     let of = |i: usize| {
         let rendered = &subject.built[i].rendered[frame];
         &(if voxels { &rendered.voxels } else { &rendered.tests })[..]
@@ -27,7 +32,9 @@ fn maps(subject: &Subject, frame: usize, voxels: bool) -> Result<Markup, String>
         let mean = map.iter().sum::<u64>() as f64 / map.len().max(1) as f64;
         let caption = format!("{}, mean {mean:.1}", built.name);
         let alt = format!("{what} per pixel, {}", built.name);
-        images.push((image(size, &pixels, true, &alt)?, caption));
+        let short = if voxels { "voxels" } else { "tests" };
+        let file = format!("{}.{}.{short}", built.name, subject.frames[frame].view);
+        images.push((gallery.image(&file, size, &pixels, true, &alt)?, caption));
     }
     Ok(html! {
         h4 { "Heat maps: " (what) " a primary ray, view " (subject.frames[frame].view) }
@@ -39,21 +46,22 @@ fn maps(subject: &Subject, frame: usize, voxels: bool) -> Result<Markup, String>
 }
 
 /// The heat maps of all views.
-pub fn all(subject: &Subject) -> Result<Markup, String> {
+pub fn all(subject: &Subject, gallery: &mut Gallery) -> Result<Markup, String> {
     let mut parts = Vec::new();
     for frame in 0..subject.frames.len() {
-        parts.push(maps(subject, frame, false)?);
-        parts.push(maps(subject, frame, true)?);
+        parts.push(maps(subject, frame, false, gallery)?);
+        parts.push(maps(subject, frame, true, gallery)?);
     }
     Ok(html! { @for part in parts { (part) } })
 }
 
 /// The views themselves.
-pub fn views(subject: &Subject) -> Result<Markup, String> {
+pub fn views(subject: &Subject, gallery: &mut Gallery) -> Result<Markup, String> {
     let mut images = Vec::new();
     for frame in &subject.frames {
         let alt = format!("{}, view {}", subject.loaded.name, frame.view);
-        images.push((image(frame.size, &frame.shades, false, &alt)?, &frame.view));
+        let file = format!("{}.{}", subject.short, frame.view);
+        images.push((gallery.image(&file, frame.size, &frame.shades, false, &alt)?, &frame.view));
     }
     Ok(html! { div.pictures { @for (image, view) in images {
         figure { (image) figcaption { "view " (view) } }

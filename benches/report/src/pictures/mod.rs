@@ -7,6 +7,8 @@ use base64::Engine;
 use maud::{Markup, html};
 use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
+use std::fs;
+use std::path::Path;
 
 /// Colours 0 to `RAMP` - 1 of every palette go from dark to light.
 pub const RAMP: usize = 200;
@@ -60,11 +62,33 @@ fn encode(width: u32, pixels: &[u8], colours: bool) -> Result<Vec<u8>, png::Enco
     Ok(bytes)
 }
 
-/// An image element that holds its own bytes.
-pub fn image(width: u32, pixels: &[u8], colours: bool, what: &str) -> Result<Markup, String> {
-    let bytes = encode(width, pixels, colours).map_err(|error| format!("{what}: {error}"))?;
-    let data = base64::engine::general_purpose::STANDARD.encode(bytes);
-    Ok(html! { img src={ "data:image/png;base64," (data) } alt=(what); })
+/// The pictures of a page, to be written beside it too.
+#[derive(Default)]
+pub struct Gallery(Vec<(String, Vec<u8>)>);
+
+impl Gallery {
+    /// An image element that holds its own bytes; `file` is the picture's name without ending.
+    pub fn image(
+        &mut self,
+        file: &str,
+        width: u32,
+        pixels: &[u8],
+        colours: bool,
+        what: &str,
+    ) -> Result<Markup, String> {
+        let bytes = encode(width, pixels, colours).map_err(|error| format!("{what}: {error}"))?;
+        let data = base64::engine::general_purpose::STANDARD.encode(&bytes);
+        self.0.push((format!("{}.png", file.replace([':', '/', '\\'], "_")), bytes));
+        Ok(html! { img src={ "data:image/png;base64," (data) } alt=(what); })
+    }
+
+    pub fn write(&self, folder: &Path) -> Result<(), String> {
+        for (name, bytes) in &self.0 {
+            let path = folder.join(name);
+            fs::write(&path, bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+        }
+        Ok(())
+    }
 }
 
 /// A bar of the ramp's colours between two labels.

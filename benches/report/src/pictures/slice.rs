@@ -1,6 +1,6 @@
 //! Slices: a plane through a structure, its voxels coloured by the triangles they refer to.
 
-use super::{LEVELS, LINE, WHITE, image, legend, level_colour, ramp};
+use super::{Gallery, LEVELS, LINE, WHITE, legend, level_colour, ramp};
 use crate::measure::Subject;
 use hug::{GridShape, View};
 use hug_kit::Mesh;
@@ -142,14 +142,15 @@ pub fn both(view: &View<'_>, mesh: &Mesh) -> Vec<Slice> {
 }
 
 /// The slices through all structures of a scene.
-pub fn all(subject: &Subject) -> Result<Markup, String> {
+pub fn all(subject: &Subject, gallery: &mut Gallery) -> Result<Markup, String> {
     let mut pairs = Vec::new();
     for built in &subject.built {
         let mut images = Vec::new();
         for slice in &built.slices {
             let axis = ["x", "y", "z"][slice.axis];
             let caption = format!("{}, {axis} = {:.2}", built.name, slice.at);
-            let picture = image(slice.width, &slice.pixels, true, &format!("slice {caption}"))?;
+            let (file, alt) = (format!("{}.slice-{axis}", built.name), format!("slice {caption}"));
+            let picture = gallery.image(&file, slice.width, &slice.pixels, true, &alt)?;
             images.push((picture, caption));
         }
         pairs.push(images);

@@ -1,4 +1,4 @@
-//! Figure 10.
+//! The bottom of figure 10.
 
 use super::{OURS, PAPER};
 use crate::measure::Subject;
@@ -12,13 +12,25 @@ pub fn bottom(subject: &Subject) -> Vec<Sheet> {
 
 fn sheet(subject: &Subject, frame: usize) -> Sheet {
     let view = &subject.frames[frame].view;
-    let head =
-        ["DS", "", "#pit", "#bbi", "#vt", "MB", "MB with triangles", "t (ms)", "built in (ms)"];
+    let head = [
+        "DS",
+        "",
+        "#pit",
+        "#bbi",
+        "#vt",
+        "MB",
+        "MB with triangles",
+        "t (ms)",
+        "least",
+        "most",
+        "built in (ms)",
+    ];
     let name = format!("{}.{view}.figure_10_bottom", subject.short).replace([':', '/'], "_");
     let title = format!("Figure 10, bottom: {}, view {view}", subject.short);
     let mut sheet = Sheet::new(name, title, &head).noted(
         "#pit: ray-triangle tests; #bbi: grids entered or tested; #vt: voxels traversed; t: CPU \
-         time by the queries that count nothing. MB is without the triangles themselves. The \
+         time by the queries that count nothing, median, least and most of rounds in which all \
+         structures take turns. MB is without the triangles themselves. The \
          paper's times are of a machine of 1997.",
     );
     for built in subject.built.iter().chain(&subject.recursive) {
@@ -27,7 +39,8 @@ fn sheet(subject: &Subject, frame: usize) -> Sheet {
         let cells = [Cell::from(built.name.clone()), OURS.into()];
         let calls = [c.tests, c.grids, c.voxels].map(Cell::Count);
         let whole = built.stats.bytes as f64 / f64::from(1 << 20);
-        let costs = [built.megabytes(), whole, 1e3 * rendered.seconds, 1e3 * built.seconds];
+        let t = rendered.seconds.times(1e3);
+        let costs = [built.megabytes(), whole, t.median, t.least, t.most, 1e3 * built.seconds];
         sheet.row(cells.into_iter().chain(calls).chain(costs.map(Cell::Number)));
         let paper = FIGURE_10_BOTTOM.iter().find(|p| frame == 0 && p.name == built.name);
         if let Some(p) = paper {

@@ -1,11 +1,11 @@
-//! Figures 20, 22 and 23: what a picture costs, level by level; and the top of figure 10.
+//! Figures 20, 22 and 23: what a picture costs, level by level.
 
 use super::{OURS, PAPER, numbers};
 use crate::measure::{Built, Subject};
 use crate::sheet::{Cell, Sheet};
 use hug::Calls;
 use hug_bench::notation::Configuration;
-use hug_bench::paper::rendering::{FIGURE_10_TOP, FIGURES_20_TO_23, Rendering};
+use hug_bench::paper::rendering::{FIGURES_20_TO_23, Rendering};
 
 fn percent(part: u64, whole: u64) -> f64 {
     100.0 * part as f64 / whole.max(1) as f64
@@ -73,7 +73,7 @@ pub fn sheet(subject: &Subject, built: &Built, frame: usize) -> Sheet {
         voxels.into(),
         total.percent_passed_1().into(),
         total.percent_passed_2().into(),
-        (1e3 * rendered.seconds).into(),
+        (1e3 * rendered.seconds.median).into(),
     ]);
     if let Some(p) = paper {
         let [pit, pi, bbi, vt] = p.sums.map(|n| Cell::Count(n as u64));
@@ -91,42 +91,6 @@ pub fn sheet(subject: &Subject, built: &Built, frame: usize) -> Sheet {
             Cell::None,
             time,
         ]);
-    }
-    sheet
-}
-
-/// The successes of test_1 and test_2, of every structure and view: the columns of the top of
-/// figure 10 that no clock is needed for.
-pub fn successes(subject: &Subject) -> Sheet {
-    let file = format!("{}.figure_10_top", subject.short).replace([':', '/', '\\'], "_");
-    let title = format!("Figure 10, top: {}, how far the ray-polygon test goes", subject.short);
-    let head = ["DS", "view", "", "%s1", "%s2", "%s2 of all tests", "%pi / pit"];
-    let mut sheet = Sheet::new(file, title, &head).noted(
-        "test_1: the ray is not parallel to the plane; test_2: the point on the plane is in the \
-         triangle's two-dimensional box. %s2 is of the tests that come to test_2. Hardly a ray is \
-         parallel to a plane to the last bit; the paper's 70 to 91 % must count more than that as \
-         a failure.",
-    );
-    for built in &subject.built {
-        for (frame, rendered) in subject.frames.iter().zip(&built.rendered) {
-            let total = rendered.profile.total();
-            let all = percent(total.passed_2, total.tests);
-            let ours =
-                [total.percent_passed_1(), total.percent_passed_2(), all, total.percent_hits()];
-            let head = [Cell::from(built.name.clone()), frame.view.clone().into(), OURS.into()];
-            sheet.row(head.into_iter().chain(numbers(ours)));
-            let paper = FIGURE_10_TOP.iter().find(|costs| {
-                let known: Result<Configuration, String> = costs.name.parse();
-                known.is_ok_and(|k| {
-                    let same = k.scene == subject.loaded.name && k.structure == built.notation;
-                    same && k.view() == Some(&frame.view)
-                })
-            });
-            if let Some(p) = paper {
-                let head = [Cell::from(p.name), "".into(), PAPER.into()];
-                sheet.row(head.into_iter().chain(numbers(p.successes)));
-            }
-        }
     }
     sheet
 }
