@@ -34,6 +34,10 @@ pub(crate) trait Count: Copy {
     fn tests(&mut self, _: usize) {}
     fn hit(&mut self) {}
     fn look(&mut self, _: &Ray, _: &impl Corners) {}
+    /// Whether the walk has to end here, unfinished.
+    fn spent(&self) -> bool {
+        false
+    }
 }
 
 /// The best instruction set of x86-64 that walks are compiled for which count so.

@@ -135,6 +135,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
     fn grid(&mut self, number: u32, t0: f64, t1: f64) -> bool {
         self.counters.level(C::of(self.sections.grid(number).level));
         self.counters.grid();
+        if self.counters.spent() {
+            return true;
+        }
         let l = self.lanes;
         let grid = self.sections.grid(number);
         let Some(local) = Local::enter(l, grid, &self.course, self.ray, t0, t1) else {
@@ -146,6 +149,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         loop {
             let voxel = self.sections.voxel(local.number(l, &self.course, at) as usize);
             self.counters.voxel();
+            if self.counters.spent() {
+                return true;
+            }
             let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
             let step = if tag == EMPTY {
                 // The tag's bits are beyond those of the exit box, and 0.
@@ -236,6 +242,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 few.iter().for_each(|&r| self.counters.look(self.ray, self.sections.triangle(r)));
             }
             self.counters.tests(few.len());
+            if self.counters.spent() {
+                return Met::Enough;
+            }
             let mut left = self.sieve.pass(self.lanes, few);
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];
