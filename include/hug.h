@@ -1208,9 +1208,10 @@ int32_t hug_occluded_within(const hug_scene *scene, const hug_ray *ray, uint64_t
 
 /**
  * How many steps suffice for any ray in the scene: an upper bound on the sum of
- * grids, voxels and tests of hug_counters for one ray, 0 for an empty scene. It holds for every
- * scene that hug_open accepts, whoever made it. Of a structure with many levels it is
- * far above what rays take. Cost: linear in the arena, with no allocation.
+ * grids, voxels and tests of hug_counters for one ray, 0 for an empty scene. It
+ * holds for every scene that hug_open accepts, whoever made it. Of a structure with
+ * many levels it is far above what rays take. Cost: linear in the arena, with no
+ * allocation.
  *
  * # Safety
  * scene must be valid or NULL, steps writable or NULL.

@@ -81,7 +81,11 @@ fn memory_is_linear_in_triangles() {
     all.push(("auto", Options::default()));
     for (kind, options) in all {
         let (arena, scratch) = measure_count(1_000_000, &options);
-        println!("{kind}: at most {} + {} bytes a triangle", arena / 1_000_000, scratch / 1_000_000);
+        println!(
+            "{kind}: at most {} + {} bytes a triangle",
+            arena / 1_000_000,
+            scratch / 1_000_000
+        );
         for n in [1, 1000, 10_000, 100_000] {
             let (a, s) = measure_count(n, &options);
             let part = |whole: usize| (whole as u128 * n as u128 / 1_000_000) as usize;

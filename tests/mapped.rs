@@ -32,9 +32,8 @@ impl Mapping {
         let file = File::open(path).expect("a file");
         let len = file.metadata().expect("its size").len() as usize;
         // SAFETY: a new mapping, of a file that nothing changes.
-        let start = unsafe {
-            mmap(std::ptr::null_mut(), len, PROT_READ, MAP_PRIVATE, file.as_raw_fd(), 0)
-        };
+        let start =
+            unsafe { mmap(std::ptr::null_mut(), len, PROT_READ, MAP_PRIVATE, file.as_raw_fd(), 0) };
         assert_ne!(start as isize, -1, "mmap");
         Self { start, len }
     }

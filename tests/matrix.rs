@@ -103,7 +103,8 @@ fn one_hash() {
         for (kind, options) in structures() {
             let scene = build(&mesh, &options);
             let team = Team(16);
-            let lent = Scene::build_with(&soup, &options, &mut Control::default().with_threads(&team));
+            let lent =
+                Scene::build_with(&soup, &options, &mut Control::default().with_threads(&team));
             let same = lent.is_ok_and(|lent| lent.view().bytes() == scene.view().bytes());
             assert!(same, "{name} in {kind}: 16 threads built something else");
             for isa in Isa::ALL.into_iter().filter(|&isa| force_isa(isa)) {

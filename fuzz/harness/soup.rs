@@ -43,9 +43,8 @@ impl Soup {
     }
 
     pub fn geometries(&self) -> [Geometry<'_>; 2] {
-        [0, 1].map(|i| {
-            Geometry::from_mesh(&self.vertices, &self.indices[i]).with_mask(self.masks[i])
-        })
+        [0, 1]
+            .map(|i| Geometry::from_mesh(&self.vertices, &self.indices[i]).with_mask(self.masks[i]))
     }
 
     /// Through a vertex, an edge, or the inside of a triangle, or anywhere.
@@ -93,8 +92,9 @@ impl Soup {
 /// Options in their ranges, of a structure.
 pub fn options(input: &mut Input<'_>, structure: Structure) -> Options {
     let share = |input: &mut Input<'_>| (f32::from(input.byte()) + 1.0) / 256.0;
-    let alpha = |input: &mut Input<'_>| 0.1 + 5.0 * share(input);
-    let counts = if input.rarely(8) { [(); 3].map(|()| 1 + input.below(40) as u32) } else { [0; 3] };
+    let alpha = |input: &mut Input<'_>| 0.1 + 2.0 * share(input);
+    let counts =
+        if input.rarely(8) { [(); 3].map(|()| 1 + input.below(12) as u32) } else { [0; 3] };
     let filter = match input.below(4) {
         0 => Filter::TwoLevels(share(input)),
         1 => Filter::ThreeLevels,

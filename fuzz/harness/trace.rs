@@ -1,5 +1,5 @@
-//! Build from any soup and options, trace any rays: every structure, form of query and
-//! instruction set says what brute force says.
+//! Build from any soup and options, trace any rays: every form of query says what brute
+//! force says, whatever the structure and the instruction set.
 
 use super::block::Block;
 use super::input::Input;
@@ -44,18 +44,16 @@ pub fn trace(data: &[u8]) {
     let mut input = Input::new(data);
     force_isa(input.one_of(&Isa::ALL));
     let soup = Soup::read(&mut input);
-    let mut options = options(&mut input, Structure::Auto);
+    let structure = input.one_of(&STRUCTURES);
+    let options = options(&mut input, structure);
     let rays: Vec<Ray> = (0..input.below(24)).map(|_| soup.ray(&mut input)).collect();
-    for structure in STRUCTURES {
-        options.structure = structure;
-        let scene = match Scene::build(&soup.geometries(), &options) {
-            Ok(scene) => scene,
-            // Only explicit counts may ask for more references than max_refs allows.
-            Err(Error::Limit) if options.counts != [0; 3] => continue,
-            Err(error) => panic!("{error}: {options:?}"),
-        };
-        let copy = Block::copy(scene.view().bytes());
-        let view = View::open(copy.bytes()).expect("what was built opens");
-        check(&view, &rays);
-    }
+    let scene = match Scene::build(&soup.geometries(), &options) {
+        Ok(scene) => scene,
+        // Only explicit counts may ask for more references than max_refs allows.
+        Err(Error::Limit) if options.counts != [0; 3] => return,
+        Err(error) => panic!("{error}: {options:?}"),
+    };
+    let copy = Block::copy(scene.view().bytes());
+    let view = View::open(copy.bytes()).expect("what was built opens");
+    check(&view, &rays);
 }

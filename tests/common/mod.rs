@@ -8,7 +8,9 @@ pub mod everywhere;
 pub mod layout;
 pub mod native;
 
-use hug::{Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Ray, Scene, Structure};
+use hug::{
+    Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Ray, Scene, Structure,
+};
 use hug_kit::random::Random;
 use hug_kit::{Bounds, Mesh, rays, soups};
 
