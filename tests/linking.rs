@@ -51,14 +51,17 @@ fn the_static_library_with_its_own_names_alone() {
     let archive = library("staticlib", &HOSTED, "release").join("libhug.a");
     let object = target().join("hug-alone.o");
     let mut ld = Command::new("ld");
-    ld.args(["-r", "--gc-sections"]);
+    ld.args(["-r", "--gc-sections", "--force-group-allocation"]);
     let exported = symbols(&["--defined-only", "--extern-only"], &archive);
     let exported: Vec<_> = exported.iter().filter(|name| name.starts_with("hug_")).collect();
     assert!(exported.len() > 20, "{exported:?}");
     ld.args(exported.iter().flat_map(|name| ["-u", name.as_str()]));
     run(ld.arg("-o").arg(&object).arg(&archive));
     let mut objcopy = Command::new("objcopy");
-    run(objcopy.args(["--wildcard", "--keep-global-symbol=hug_*"]).arg(&object));
+    objcopy.args(["--wildcard", "--keep-global-symbol=hug_*"]);
+    // Bitcode, which some tools take for the object itself.
+    objcopy.args(["--remove-section=.llvmbc", "--remove-section=.llvmcmd"]);
+    run(objcopy.arg(&object));
     let left = symbols(&["--defined-only", "--extern-only"], &object);
     assert!(left.iter().all(|name| name.starts_with("hug_")), "{left:?}");
     let program = target().join("beside-static");
