@@ -49,8 +49,8 @@ fn watch(mesh: &Mesh, options: &Options) -> (usize, usize) {
     (reports * STRIDE, scene.view().bytes().len())
 }
 
-/// With the default `max_refs` of 32: at most this many units of work a triangle, and
-/// some for the passes themselves, whatever the soup.
+/// At most 32 units for each reference that is allowed, `max_refs` a triangle, and some
+/// for the passes themselves, whatever the soup.
 #[test]
 fn work_is_in_proportion_to_triangles() {
     for n in [2000, 20_000] {
@@ -61,7 +61,7 @@ fn work_is_in_proportion_to_triangles() {
                 let what = format!("{n} {name} in {kind}: {work} units, {bytes} bytes");
                 println!("{what} of {}", sizes.0);
                 assert!(bytes <= sizes.0, "{what}");
-                assert!(work <= 64 * STRIDE + 300 * n, "{what}");
+                assert!(work <= 64 * STRIDE + 32 * options.max_refs as usize * n, "{what}");
             }
         }
     }
