@@ -55,6 +55,11 @@
 #define HUG_MAX_LEVELS 16
 
 /**
+ * hug_intersect_within and hug_occluded_within: the steps did not suffice.
+ */
+#define HUG_TRUNCATED -1
+
+/**
  * hug_voxel_histogram.level: the voxels of all levels.
  */
 #define HUG_ALL_LEVELS 4294967295
@@ -872,7 +877,7 @@ typedef struct {
 #define HUG_ERROR_BUFFER_TOO_SMALL 9
 
 /**
- * More than 2^31 - 1 triangles, or more references than max_refs allows at the counts asked for.
+ * More than 2^30 - 1 triangles, or more references than max_refs allows at the counts asked for.
  */
 #define HUG_ERROR_LIMIT 10
 
@@ -897,7 +902,7 @@ typedef struct {
 #define HUG_ERROR_ENDIANNESS 14
 
 /**
- * hug_open: the arena contradicts itself.
+ * hug_open: the arena's records contradict each other.
  */
 #define HUG_ERROR_CORRUPT 15
 
@@ -915,6 +920,21 @@ typedef struct {
  * parallel_for returned before every task had been run.
  */
 #define HUG_ERROR_UNFINISHED 18
+
+/**
+ * hug_open: sections overlap, leave gaps or the arena, or their sizes overflow.
+ */
+#define HUG_ERROR_SECTIONS 19
+
+/**
+ * hug_open: a grid points to itself, or to one that is not below it.
+ */
+#define HUG_ERROR_CYCLE 20
+
+/**
+ * hug_open: a voxel or list refers to a list, triangle or grid that there is not, or out of order.
+ */
+#define HUG_ERROR_REFERENCE 21
 
 /**
  * Chosen from the triangles: a pure function of triangles and options.
@@ -1158,6 +1178,45 @@ int32_t hug_intersect_counted(const hug_scene *scene,
  * Each pointer is valid or NULL.
  */
 int32_t hug_occluded_counted(const hug_scene *scene, const hug_ray *ray, hug_counters *counters);
+
+/**
+ * hug_intersect in at most so many steps: grids entered, voxels traversed and
+ * triangles tested, as hug_counters counts them (grids + voxels + tests). Returns
+ * HUG_TRUNCATED, and writes the record of a miss, if they do not suffice; else
+ * what hug_intersect does. The same ray needs the same number of steps on every
+ * machine; hug_most_steps suffice for any.
+ *
+ * It takes longer than hug_intersect, as it counts; hug_intersect itself knows
+ * nothing of budgets.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_intersect_within(const hug_scene *scene,
+                             const hug_ray *ray,
+                             hug_hit *hit,
+                             uint64_t steps);
+
+/**
+ * hug_occluded in at most so many steps, as hug_intersect_within: 1, 0 or
+ * HUG_TRUNCATED. With scene or ray NULL: 0.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_occluded_within(const hug_scene *scene, const hug_ray *ray, uint64_t steps);
+
+/**
+ * How many steps suffice for any ray in the scene: an upper bound on the sum of
+ * grids, voxels and tests of hug_counters for one ray, 0 for an empty scene. It
+ * holds for every scene that hug_open accepts, whoever made it. Of a structure with
+ * many levels it is far above what rays take. Cost: linear in the arena, with no
+ * allocation.
+ *
+ * # Safety
+ * scene must be valid or NULL, steps writable or NULL.
+ */
+hug_status hug_most_steps(const hug_scene *scene, uint64_t *steps);
 
 /**
  * Finds the closest hits of n rays. Ray i is at rays + i * ray_stride bytes,

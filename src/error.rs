@@ -26,7 +26,7 @@ pub enum Error {
     OutOfMemory = 8,
     /// The scratch or arena memory handed in is too small.
     BufferTooSmall = 9,
-    /// The scene exceeds a limit: 2^31 - 1 triangles, or the references that
+    /// The scene exceeds a limit: 2^30 - 1 triangles, or the references that
     /// `max_refs` allows at the voxel counts asked for.
     Limit = 10,
     /// An arena ends before its header says it does.
@@ -37,7 +37,7 @@ pub enum Error {
     Version = 13,
     /// The arena was written for, or is read on, a machine of other endianness.
     Endianness = 14,
-    /// The arena's sections or records contradict each other.
+    /// The arena's records contradict each other.
     Corrupt = 15,
     /// A bug in the library: a panic was stopped at the C boundary.
     Internal = 16,
@@ -45,6 +45,15 @@ pub enum Error {
     Cancelled = 17,
     /// The caller's threads returned before every task had been run.
     Unfinished = 18,
+    /// The arena's sections are not where their counts put them: they overlap, leave
+    /// gaps or the arena, or their sizes overflow.
+    Sections = 19,
+    /// A grid of the arena points to itself, to one before it, or to one of no lower
+    /// level: a walk might go in circles.
+    Cycle = 20,
+    /// A voxel or a list of the arena refers to a list, triangle or grid that there is
+    /// not, or out of order.
+    Reference = 21,
 }
 
 impl Error {
@@ -69,6 +78,9 @@ impl Error {
             Self::Corrupt => c"the arena contradicts itself",
             Self::Internal => c"internal error in hug",
             Self::Cancelled => c"the build was cancelled",
+            Self::Sections => c"the arena's sections are not where their counts put them",
+            Self::Cycle => c"a grid of the arena points to one that is not below it",
+            Self::Reference => c"the arena refers to a list, triangle or grid that there is not",
             Self::Unfinished => c"parallel_for returned before every task had been run",
         }
     }

@@ -61,7 +61,7 @@ pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cu
 #[cfg(feature = "replay")]
 #[doc(hidden)]
 pub use trace::replay;
-pub use trace::{Calls, Counters, Profile};
+pub use trace::{Calls, Counters, Profile, Truncated};
 
 /// Any number of threads may query one scene: without this it does not compile.
 const _: () = {

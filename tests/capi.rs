@@ -34,6 +34,15 @@ fn minimal_prints_the_hit() {
     }
 }
 
+/// What it does with fifty million triangles too, given the memory.
+#[test]
+fn every_ray_hits_its_triangle_of_a_sheet() {
+    for (bin, structure) in PROGRAMS.iter().zip(["0", "3"]) {
+        let printed = run(program(bin, "scale").args(["3000", "8", structure]));
+        assert!(printed.contains("each hit its triangle"), "{printed}");
+    }
+}
+
 #[test]
 fn bad_input_and_promises() {
     for bin in &*PROGRAMS {

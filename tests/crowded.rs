@@ -105,3 +105,36 @@ fn huge_triangles_across_each_other() {
     };
     check_both(huge, "a huge triangle", 20_000);
 }
+
+/// Each from one side of the scene to the other, and a hair wide.
+#[test]
+fn slivers_through_all_of_space() {
+    let slivers = |n| {
+        let mut mesh = Mesh::default();
+        let mut random = Random::stream(79);
+        for _ in 0..n {
+            let a = random.direction().map(|c| c as f32);
+            let b = random.direction().map(|c| c as f32);
+            mesh.push([a, b, [b[0], b[1], b[2] + 1e-6]]);
+        }
+        mesh
+    };
+    check_both(slivers, "a sliver", 20_000);
+}
+
+/// Within a few units in the last place of one point, from which one triangle is far.
+#[test]
+fn nearly_one_point() {
+    let point = |n| {
+        let mut mesh = Mesh::default();
+        let mut random = Random::stream(80);
+        mesh.push([[-9.0, 0.0, 0.0], [-9.0, 1.0, 0.0], [-9.0, 0.0, 1.0]]);
+        while mesh.indices.len() < n {
+            let ulps = |random: &mut Random| (0..random.below(9)).fold(1.0f32, |x, _| x.next_up());
+            let corners = [(); 3].map(|()| [(); 3].map(|()| ulps(&mut random)));
+            mesh.push(corners);
+        }
+        mesh
+    };
+    check_both(point, "a speck", 100_000);
+}

@@ -5,7 +5,7 @@ mod common;
 
 use common::aligned::Aligned;
 use common::layout::*;
-use common::{build, structures};
+use common::{build, is_damage, structures};
 use hug::{Error, Filter, Hierarchy, Options, Structure, View};
 use hug_kit::soups;
 
@@ -28,10 +28,22 @@ fn samples() -> Vec<(String, Aligned)> {
 /// Asserts that the bytes no longer open once `damage` was done to them.
 #[track_caller]
 fn corrupt(name: &str, bytes: &Aligned, damage: impl FnOnce(&mut [u8])) {
+    let error = refusal(name, bytes, damage);
+    assert!(is_damage(error), "{name}: {error:?}");
+}
+
+/// Asserts that they do not for this reason.
+#[track_caller]
+fn refused(name: &str, bytes: &Aligned, expected: Error, damage: impl FnOnce(&mut [u8])) {
+    assert_eq!(refusal(name, bytes, damage), Some(expected), "{name}");
+}
+
+#[track_caller]
+fn refusal(name: &str, bytes: &Aligned, damage: impl FnOnce(&mut [u8])) -> Option<Error> {
     let mut damaged = bytes.clone();
     damage(&mut damaged);
     assert!(damaged[..] != bytes[..], "{name}: nothing was damaged");
-    assert_eq!(View::open(&damaged).err(), Some(Error::Corrupt), "{name}");
+    View::open(&damaged).err()
 }
 
 /// The first, a middle and the last of `n`.
@@ -84,16 +96,18 @@ fn grids() {
                 corrupt(&name, &bytes, |b| b[at + LEVEL] = wrong);
             }
             for wrong in [2, u8::MAX] {
-                corrupt(&name, &bytes, |b| b[at + COVERS] = wrong);
+                refused(&name, &bytes, Error::Corrupt, |b| b[at + COVERS] = wrong);
             }
             let (nan, inf) = (f64::NAN, f64::INFINITY);
             for place in [CELL, INV_CELL] {
                 for wrong in [nan, inf, -inf, 0.0, -1.0, 1e-38, 1e38] {
-                    corrupt(&name, &bytes, |b| put_f32(b, at + place + 4, wrong as f32));
+                    refused(&name, &bytes, Error::Corrupt, |b| {
+                        put_f32(b, at + place + 4, wrong as f32);
+                    });
                 }
             }
             for wrong in [nan, inf, -inf, 1e300] {
-                corrupt(&name, &bytes, |b| put_f64(b, at + LO + 8, wrong));
+                refused(&name, &bytes, Error::Corrupt, |b| put_f64(b, at + LO + 8, wrong));
             }
         }
     }
@@ -109,11 +123,15 @@ fn voxels() {
             // Earlier, later, at the end, past it.
             for wrong in [start.wrapping_sub(1) & (u32::MAX >> 2), start + 1, total, u32::MAX >> 2]
             {
-                corrupt(&name, &bytes, |b| put32(b, list.voxel, LIST << 30 | wrong));
+                refused(&name, &bytes, Error::Reference, |b| {
+                    put32(b, list.voxel, LIST << 30 | wrong);
+                });
             }
             // Of no kind there is, or a grid that there is not.
-            corrupt(&name, &bytes, |b| put32(b, list.voxel, 3 << 30 | start));
-            corrupt(&name, &bytes, |b| put32(b, list.voxel, GRID << 30 | u32::MAX >> 2));
+            refused(&name, &bytes, Error::Corrupt, |b| put32(b, list.voxel, 3 << 30 | start));
+            refused(&name, &bytes, Error::Reference, |b| {
+                put32(b, list.voxel, GRID << 30 | u32::MAX >> 2);
+            });
             let len = list.refs.len() as u32;
             for wrong in [0, len - 1, len + 1, total, u32::MAX] {
                 if wrong != len {
@@ -122,14 +140,14 @@ fn voxels() {
             }
             // Exit boxes that leave the grid, on each side.
             for side in 0..6 {
-                corrupt(&name, &bytes, |b| put32(b, list.exit, 31 << (5 * side)));
+                refused(&name, &bytes, Error::Corrupt, |b| put32(b, list.exit, 31 << (5 * side)));
             }
-            corrupt(&name, &bytes, |b| put32(b, list.exit, 1 << 30));
+            refused(&name, &bytes, Error::Corrupt, |b| put32(b, list.exit, 1 << 30));
         }
         let empty = (0..count(&bytes, VOXELS)).find(|&i| voxel(&bytes, i).0 == EMPTY);
         if let Some(at) = empty.map(|i| record(&bytes, VOXELS, i)) {
             for side in 0..6 {
-                corrupt(&name, &bytes, |b| put32(b, at, 31 << (5 * side)));
+                refused(&name, &bytes, Error::Corrupt, |b| put32(b, at, 31 << (5 * side)));
             }
         }
     }
@@ -143,17 +161,20 @@ fn references() {
         for list in some(lists.len()).map(|i| &lists[i]) {
             let last = list.refs[list.refs.len() - 1];
             for wrong in [triangles, GRID_BIT - 1, GRID_BIT | grids, u32::MAX] {
-                corrupt(&name, &bytes, |b| put32(b, last, wrong));
+                refused(&name, &bytes, Error::Reference, |b| put32(b, last, wrong));
             }
             // In circles: the grid itself, the outermost, and all in between.
+            let others = &list.refs[..list.refs.len() - 1];
+            let sorted = others.iter().all(|&at| get32(&bytes, at) & GRID_BIT == 0);
+            let expected = if sorted { Error::Cycle } else { Error::Reference };
             for circle in [list.grid, 0, list.grid / 2] {
-                corrupt(&name, &bytes, |b| put32(b, last, GRID_BIT | circle as u32));
+                refused(&name, &bytes, expected, |b| put32(b, last, GRID_BIT | circle as u32));
             }
         }
         for list in lists.iter().filter(|list| list.refs.len() > 1).take(20) {
             let (a, b) = (get32(&bytes, list.refs[0]), get32(&bytes, list.refs[1]));
-            corrupt(&name, &bytes, |d| put32(d, list.refs[1], a));
-            corrupt(&name, &bytes, |d| {
+            refused(&name, &bytes, Error::Reference, |d| put32(d, list.refs[1], a));
+            refused(&name, &bytes, Error::Reference, |d| {
                 put32(d, list.refs[0], b);
                 put32(d, list.refs[1], a);
             });
@@ -171,7 +192,7 @@ fn levels() {
             let (outer, inner) = (record(&bytes, GRIDS, 0), record(&bytes, GRIDS, number));
             pairs += 1;
             let same = bytes[outer + LEVEL];
-            corrupt(&name, &bytes, |b| b[inner + LEVEL] = same);
+            refused(&name, &bytes, Error::Cycle, |b| b[inner + LEVEL] = same);
         }
     }
     assert!(pairs > 20, "{pairs} grids below others");
@@ -184,7 +205,9 @@ fn triangles() {
             let at = record(&bytes, TRIANGLES, number);
             for place in COORDINATES {
                 for wrong in [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-                    corrupt(&name, &bytes, |b| put32(b, at + place, wrong.to_bits()));
+                    refused(&name, &bytes, Error::Corrupt, |b| {
+                        put32(b, at + place, wrong.to_bits());
+                    });
                 }
             }
         }

@@ -147,3 +147,40 @@ fn denormal_options_are_options() {
         }
     }
 }
+
+/// In a C descriptor 0 stands for a default, and a denormal does not.
+#[cfg(feature = "capi")]
+#[test]
+fn denormal_numbers_of_a_descriptor_are_not_zero() {
+    use hug::capi::types::{HUG_OK, hug_build_desc, hug_geometry};
+    use hug::capi::{hug_build, hug_data, hug_free};
+    let mesh = kit::rescaled(&kit::tangle(1, 600), 1e-38);
+    // SAFETY: zeros are a value of every field.
+    let mut geometry: hug_geometry = unsafe { std::mem::zeroed() };
+    geometry.vertices = mesh.vertices.as_flattened().as_ptr();
+    geometry.vertex_count = mesh.vertices.len();
+    geometry.indices = mesh.indices.as_ptr().cast();
+    geometry.triangle_count = mesh.indices.len();
+    geometry.index_type = hug::capi::types::HUG_INDEX_U32;
+    // SAFETY: as above.
+    let mut desc: hug_build_desc = unsafe { std::mem::zeroed() };
+    desc.struct_size = size_of::<hug_build_desc>();
+    (desc.geometries, desc.geometry_count) = (&raw const geometry, 1);
+    desc.structure = hug::Structure::Hug as u32;
+    desc.connectivity = 1e-40;
+    let make = || {
+        let (mut scene, mut len) = (std::ptr::null_mut(), 0);
+        // SAFETY: the descriptor and its memory are valid.
+        unsafe {
+            assert_eq!(hug_build(&raw const desc, &raw mut scene), HUG_OK);
+            let data = hug_data(scene, &raw mut len).cast::<u8>();
+            let bytes = std::slice::from_raw_parts(data, len).to_vec();
+            hug_free(scene);
+            bytes
+        }
+    };
+    let normal = make();
+    for mode in MODES {
+        assert!(in_mode(mode, make) == normal, "{}", mode.0);
+    }
+}

@@ -18,6 +18,7 @@ fn header_is_generated() {
         "rebuild.rs",
         "fault.rs",
         "query.rs",
+        "budget.rs",
         "stream.rs",
         "stream_soa.rs",
         "stats.rs",

@@ -13,9 +13,12 @@ use hug_kit::soups as kit;
 
 /// Does all there is to do with a scene; that it ends is the test.
 fn query(view: &View<'_>, rays: &[Ray]) {
-    let mut counters = Counters::default();
+    let most = view.most_steps();
     for r in rays {
+        let mut counters = Counters::default();
         let hit = view.intersect_counted(r, &mut counters);
+        let steps = counters.grids + counters.voxels + counters.tests;
+        assert!(steps <= most, "{r:?}: {steps} steps, {most} should suffice");
         // A damaged arena gives any hits, but what it says is a hit is one.
         let inside = |t: f32| r.tmin <= t && t <= r.tmax;
         assert!(!hit.is_hit() || inside(hit.t), "{r:?} hit {hit:?}");

@@ -8,7 +8,7 @@ use hug::{Hit, Ray};
 use hug_kit::soups;
 
 #[test]
-fn eight_threads_get_what_one_gets() {
+fn sixteen_threads_get_what_one_gets() {
     let mesh = soups::clustered(3000);
     let rays: Vec<Ray> = adversarial_rays(&mesh, 3, 500).iter().map(|(_, r)| ray(r)).collect();
     let bits = |hit: Hit| bytemuck::cast::<Hit, [u32; 10]>(hit);
@@ -16,12 +16,16 @@ fn eight_threads_get_what_one_gets() {
         let scene = build(&mesh, &options);
         let trace = || -> Vec<([u32; 10], bool)> {
             let view = scene.view();
-            rays.iter().map(|r| (bits(view.intersect(r)), view.occluded(r))).collect()
+            let mut hits = vec![Hit::miss(0.0); rays.len()];
+            view.intersect_n(&rays, &mut hits);
+            let streamed = rays.iter().zip(hits).map(|(r, hit)| (bits(hit), view.occluded(r)));
+            let single = rays.iter().map(|r| (bits(view.intersect(r)), view.occluded(r)));
+            single.chain(streamed).collect()
         };
         let alone = trace();
         assert!(alone.iter().any(|(_, hit)| *hit), "{name}: nothing was hit");
         std::thread::scope(|scope| {
-            let others: Vec<_> = (0..8).map(|_| scope.spawn(trace)).collect();
+            let others: Vec<_> = (0..16).map(|_| scope.spawn(trace)).collect();
             for other in others {
                 let found = other.join().expect("no query panics");
                 assert!(found == alone, "{name}: a thread found something else");

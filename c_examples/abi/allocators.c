@@ -13,14 +13,16 @@ typedef struct {
     size_t sizes[MOST_BLOCKS];
     size_t live, calls;
     size_t refuse_from; /* the call from which on there is no memory */
+    size_t refuse_to;   /* and the one from which on there is again */
 } ledger;
 
 static void *ledger_alloc(size_t size, size_t align, void *user)
 {
     ledger *l = (ledger *)user;
+    size_t call = l->calls++;
     void *block;
     REQUIRE(align != 0 && (align & (align - 1)) == 0 && align <= 64);
-    if (l->calls++ >= l->refuse_from || l->live == MOST_BLOCKS)
+    if ((call >= l->refuse_from && call < l->refuse_to) || l->live == MOST_BLOCKS)
         return NULL;
     block = fixture_memory(size);
     memset(block, 0xa5, size); /* nothing may count on zeros */
@@ -44,15 +46,49 @@ static void ledger_free(void *memory, size_t size, void *user)
     l->sizes[i] = l->sizes[l->live];
 }
 
-/* Builds with a ledger that refuses from the given call on. */
-static hug_status build(hug_build_desc *desc, ledger *l, size_t refuse_from, hug_scene **out)
+#define NEVER ((size_t)-1)
+
+/* Builds with a ledger that refuses the calls of these numbers. */
+static hug_status build(hug_build_desc *desc, ledger *l, size_t refuse_from, size_t refuse_to,
+                        hug_scene **out)
 {
     memset(l, 0, sizeof *l);
     l->refuse_from = refuse_from;
+    l->refuse_to = refuse_to;
     desc->alloc = ledger_alloc;
     desc->free = ledger_free;
     desc->user = l;
     return hug_build(desc, out);
+}
+
+/* The n-th call alone, and all from it on, of a build and of a rebuild. */
+static void check_refusals(fixture *f, size_t blocks)
+{
+    ledger l;
+    hug_scene *scene;
+    size_t needed, n;
+
+    EXPECT(build(&f->desc, &l, NEVER, NEVER, &scene), HUG_OK);
+    needed = l.calls;
+    REQUIRE(needed > 0 && l.live == blocks);
+    for (n = 0; n < needed; n++) {
+        hug_scene *none;
+        ledger other;
+        EXPECT(build(&f->desc, &other, n, NEVER, &none), HUG_ERROR_OUT_OF_MEMORY);
+        REQUIRE(none == NULL && other.live == 0);
+        EXPECT(build(&f->desc, &other, n, n + 1, &none), HUG_ERROR_OUT_OF_MEMORY);
+        REQUIRE(none == NULL && other.live == 0);
+    }
+    EXPECT(hug_rebuild(scene, &f->desc), HUG_OK);
+    needed = l.calls - needed;
+    for (n = 0; n < needed; n++) {
+        l.refuse_from = l.calls + n;
+        l.refuse_to = l.refuse_from + 1;
+        EXPECT(hug_rebuild(scene, &f->desc), HUG_ERROR_OUT_OF_MEMORY);
+        REQUIRE(l.live == blocks);
+    }
+    hug_free(scene);
+    REQUIRE(l.live == 0);
 }
 
 static void check_structure(hug_structure structure)
@@ -61,7 +97,6 @@ static void check_structure(hug_structure structure)
     ledger l;
     hug_scene *scene = NULL;
     hug_hit expected[FIXTURE_RAYS], hits[FIXTURE_RAYS];
-    size_t needed, refuse_from;
 
     fixture_make(&f);
     f.desc.structure = structure;
@@ -69,21 +104,20 @@ static void check_structure(hug_structure structure)
     fixture_hits(scene, expected);
     hug_free(scene);
 
-    EXPECT(build(&f.desc, &l, (size_t)-1, &scene), HUG_OK);
-    needed = l.calls;
-    REQUIRE(needed > 0 && l.live == 1); /* the scene, and nothing of the build */
+    EXPECT(build(&f.desc, &l, NEVER, NEVER, &scene), HUG_OK);
     fixture_hits(scene, hits);
     REQUIRE(memcmp(expected, hits, sizeof hits) == 0);
     hug_free(scene);
     REQUIRE(l.live == 0);
 
-    for (refuse_from = 0; refuse_from < needed; refuse_from++) {
-        EXPECT(build(&f.desc, &l, refuse_from, &scene), HUG_ERROR_OUT_OF_MEMORY);
-        REQUIRE(scene == NULL && l.live == 0);
-    }
+    /* the scene, and nothing of the build; or its scratch memory too */
+    check_refusals(&f, 1);
+    f.desc.flags = HUG_BUILD_KEEP_SCRATCH;
+    check_refusals(&f, 2);
+    f.desc.flags = 0;
     /* a build that is refused for its triangles keeps nothing either */
     f.indices[3 * FIXTURE_TRIANGLES - 1] = FIXTURE_VERTICES;
-    EXPECT(build(&f.desc, &l, (size_t)-1, &scene), HUG_ERROR_INDEX_RANGE);
+    EXPECT(build(&f.desc, &l, NEVER, NEVER, &scene), HUG_ERROR_INDEX_RANGE);
     REQUIRE(scene == NULL && l.live == 0);
 }
 

@@ -54,6 +54,40 @@ static void check_nulls(const hug_scene *scene)
     REQUIRE(flag == 7);
 }
 
+/* As many steps as are counted suffice, one fewer do not. */
+static void check_budgets(const hug_scene *scene)
+{
+    uint64_t most = 0;
+    unsigned i;
+    EXPECT(hug_most_steps(NULL, &most), HUG_ERROR_NULL);
+    EXPECT(hug_most_steps(scene, NULL), HUG_ERROR_NULL);
+    EXPECT(hug_most_steps(scene, &most), HUG_OK);
+    for (i = 0; i < FIXTURE_RAYS; i++) {
+        hug_ray ray = fixture_ray(i);
+        hug_hit expected, hit;
+        hug_counters c;
+        uint64_t steps;
+        int32_t found;
+        memset(&c, 0, sizeof c);
+        found = hug_intersect_counted(scene, &ray, &expected, &c);
+        steps = c.grids + c.voxels + c.tests;
+        REQUIRE(steps <= most);
+        REQUIRE(hug_intersect_within(scene, &ray, &hit, steps) == found);
+        REQUIRE(memcmp(&hit, &expected, sizeof hit) == 0);
+        REQUIRE(hug_occluded_within(scene, &ray, most) == found);
+        if (steps > 0) {
+            REQUIRE(hug_intersect_within(scene, &ray, &hit, steps - 1) == HUG_TRUNCATED);
+            REQUIRE(is_miss(&hit, ray.tmax));
+            REQUIRE(hug_occluded_within(scene, &ray, 0) == HUG_TRUNCATED);
+        }
+        REQUIRE(hug_intersect_within(scene, NULL, &hit, most) == 0);
+        REQUIRE(hug_intersect_within(scene, &ray, NULL, most) == 0);
+        REQUIRE(hug_intersect_within(NULL, &ray, &hit, most) == 0 && is_miss(&hit, INFINITY));
+        REQUIRE(hug_occluded_within(NULL, &ray, most) == 0);
+        REQUIRE(hug_occluded_within(scene, NULL, most) == 0);
+    }
+}
+
 /* Packed, and as fields of one array: the results of single calls, and nothing else
  * of the array is written. */
 static void check_strides(const hug_scene *scene)
@@ -168,6 +202,7 @@ void check_queries(void)
         check_misses(scene);
         check_range(scene);
         check_counters(scene);
+        check_budgets(scene);
         hug_free(scene);
     }
 }

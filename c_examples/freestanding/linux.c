@@ -1,4 +1,4 @@
-/* Start, exit and output on Linux without a C library: x86-64, i686 and AArch64. */
+/* Start, exit and output on Linux without a C library: x86-64, i686, AArch64 and Arm. */
 #include "freestanding/runtime.h"
 
 #ifdef __cplusplus
@@ -63,6 +63,32 @@ static long system_call(long number, long a, long b, long c)
     register long x8 __asm__("x8") = number;
     __asm__ volatile("svc #0" : "+r"(x0) : "r"(x1), "r"(x2), "r"(x8) : "memory");
     return x0;
+}
+#elif defined __arm__
+enum { SYSTEM_EXIT = 1, SYSTEM_WRITE = 4 };
+__asm__(".syntax unified\n"
+        ".thumb\n"
+        ".thumb_func\n"
+        ".globl _start\n"
+        ".type _start, %function\n"
+        "_start:\n"
+        "    bl runtime_start\n"
+        "    udf #0\n");
+
+/* The number goes to r7, which may be the frame pointer. */
+static long system_call(long number, long a, long b, long c)
+{
+    register long r0 __asm__("r0") = a;
+    register long r1 __asm__("r1") = b;
+    register long r2 __asm__("r2") = c;
+    __asm__ volatile("push {r7}\n"
+                     "mov r7, %1\n"
+                     "svc #0\n"
+                     "pop {r7}\n"
+                     : "+r"(r0)
+                     : "r"(number), "r"(r1), "r"(r2)
+                     : "memory");
+    return r0;
 }
 #else
 #error "no start and no system calls for this processor"

@@ -45,8 +45,12 @@ fn header(bytes: &[u8]) -> Result<&Header, Error> {
     Ok(header)
 }
 
-fn require(ok: bool) -> Result<(), Error> {
-    if ok { Ok(()) } else { Err(Error::Corrupt) }
+fn require(ok: bool, error: Error) -> Result<(), Error> {
+    if ok { Ok(()) } else { Err(error) }
+}
+
+fn agree(ok: bool) -> Result<(), Error> {
+    require(ok, Error::Corrupt)
 }
 
 /// Checks everything.
@@ -54,39 +58,40 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let h = header(bytes)?;
     let counts = (h.grids.count, h.voxels.count, h.refs.count, h.triangles.count);
     let (expected, size) =
-        sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Corrupt)?;
-    require(expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes)?;
-    require(is_unit(h.unit) && h.reserved == [0; 6] && h.levels as usize <= MAX_LEVELS)?;
-    require((1..=3).contains(&h.structure))?;
-    require(counts.0 < u64::from(GRID_BIT) && counts.3 <= MAX_TRIANGLES as u64)?;
-    require(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
+        sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Sections)?;
+    let placed = expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes;
+    require(placed, Error::Sections)?;
+    agree(is_unit(h.unit) && h.reserved == [0; 6] && h.levels as usize <= MAX_LEVELS)?;
+    agree((1..=3).contains(&h.structure))?;
+    agree(counts.0 < u64::from(GRID_BIT) && counts.3 <= MAX_TRIANGLES as u64)?;
+    agree(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
     let grids: &[Grid] = section(bytes, h.grids.offset, counts.0)?;
     let voxels: &[u32] = section(bytes, h.voxels.offset, counts.1)?;
     let refs: &[u32] = section(bytes, h.refs.offset, counts.2)?;
     let triangles: &[Triangle] = section(bytes, h.triangles.offset, counts.3)?;
-    require(grids.is_empty() == triangles.is_empty())?;
-    require(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
+    agree(grids.is_empty() == triangles.is_empty())?;
+    agree(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
     if grids.is_empty() {
-        return require(voxels.is_empty() && refs.is_empty());
+        return agree(voxels.is_empty() && refs.is_empty());
     }
     let (mut next, mut end) = (0u64, 0);
     for (i, grid) in grids.iter().enumerate() {
-        require(u64::from(grid.first) == next && frame(grid))?;
-        require(u32::from(grid.level) < h.levels)?;
+        agree(u64::from(grid.first) == next && frame(grid))?;
+        agree(u32::from(grid.level) < h.levels)?;
         next += grid.voxels();
-        require(next <= counts.1)?;
+        agree(next <= counts.1)?;
         end = lists(i, grid, grids, voxels, (refs, end), counts.3)?;
     }
-    require(u64::from(grids[0].walks) <= MAX_WALKS * counts.0)?;
-    require(next == counts.1 && end == refs.len())
+    agree(u64::from(grids[0].walks) <= MAX_WALKS * counts.0)?;
+    agree(next == counts.1 && end == refs.len())
 }
 
 fn section<T: bytemuck::Pod>(bytes: &[u8], offset: u64, count: u64) -> Result<&[T], Error> {
-    let start = usize::try_from(offset).map_err(|_| Error::Corrupt)?;
-    let len = (count as usize).checked_mul(size_of::<T>()).ok_or(Error::Corrupt)?;
-    let end = start.checked_add(len).ok_or(Error::Corrupt)?;
-    let part = bytes.get(start..end).ok_or(Error::Corrupt)?;
-    bytemuck::try_cast_slice(part).map_err(|_| Error::Corrupt)
+    let start = usize::try_from(offset).map_err(|_| Error::Sections)?;
+    let len = (count as usize).checked_mul(size_of::<T>()).ok_or(Error::Sections)?;
+    let end = start.checked_add(len).ok_or(Error::Sections)?;
+    let part = bytes.get(start..end).ok_or(Error::Sections)?;
+    bytemuck::try_cast_slice(part).map_err(|_| Error::Sections)
 }
 
 /// A box cut into counts in range, of a place and size that `f32` triangles can
@@ -118,10 +123,9 @@ fn lists(
 ) -> Result<usize, Error> {
     let below = |child: u32| -> Result<u64, Error> {
         let child = child as usize;
-        require(child > number)?;
-        let child = grids.get(child).ok_or(Error::Corrupt)?;
-        require(child.level < grid.level)?;
-        Ok(u64::from(child.walks))
+        let below = grids.get(child).ok_or(Error::Reference)?;
+        require(child > number && below.level < grid.level, Error::Cycle)?;
+        Ok(u64::from(below.walks))
     };
     let mut most = 0u64;
     let n = grid.n.map(u32::from);
@@ -132,31 +136,31 @@ fn lists(
         let payload = word & PAYLOAD;
         let mut walks = 0;
         match word >> TAG_SHIFT {
-            EMPTY => require(exit_inside(payload, at, n))?,
+            EMPTY => agree(exit_inside(payload, at, n))?,
             GRID => walks = below(payload)?,
             LIST => {
-                require(payload as usize == end)?;
-                let head = refs.get(end..end + LIST_HEAD).ok_or(Error::Corrupt)?;
-                require(exit_inside(head[0], at, n))?;
+                require(payload as usize == end, Error::Reference)?;
+                let head = refs.get(end..end + LIST_HEAD).ok_or(Error::Reference)?;
+                agree(exit_inside(head[0], at, n))?;
                 let rest = &refs[end + LIST_HEAD..];
-                let list = rest.get(..head[1] as usize).ok_or(Error::Corrupt)?;
-                require(list.is_sorted_by(|a, b| a < b))?;
+                let list = rest.get(..head[1] as usize).ok_or(Error::Reference)?;
+                require(list.is_sorted_by(|a, b| a < b), Error::Reference)?;
                 for &r in list {
                     if r & GRID_BIT == 0 {
-                        require(u64::from(r) < triangles)?;
+                        require(u64::from(r) < triangles, Error::Reference)?;
                     } else {
                         walks += below(r & !GRID_BIT)?;
                     }
                 }
-                let boxes = rest[list.len()..].get(..list.len()).ok_or(Error::Corrupt)?;
-                require(boxes.iter().all(|b| b >> TAG_SHIFT == 0))?;
+                let boxes = rest[list.len()..].get(..list.len()).ok_or(Error::Reference)?;
+                agree(boxes.iter().all(|b| b >> TAG_SHIFT == 0))?;
                 end += LIST_HEAD + REF_WORDS * list.len();
             }
-            _ => require(false)?,
+            _ => agree(false)?,
         }
         most = most.max(walks);
     }
-    require(u64::from(grid.walks) == most + 1)?;
+    agree(u64::from(grid.walks) == most + 1)?;
     Ok(end)
 }
 

@@ -9,6 +9,7 @@ use super::types::{HUG_INDEX_NONE, HUG_INDEX_U16, HUG_INDEX_U32, hug_build_desc,
 use crate::build::{self, Sizes};
 use crate::geometry::{Geometry, Indices};
 use crate::options::Options;
+use crate::simd::fpenv;
 use crate::{Error, MAX_TRIANGLES};
 
 /// A descriptor whose options are in range and whose pointers are not NULL and
@@ -27,8 +28,9 @@ impl<'a> Parsed<'a> {
     pub unsafe fn read(desc: *const hug_build_desc) -> Result<Self, Error> {
         // SAFETY: by the caller.
         let (head, geometries) = unsafe { Self::listed(desc) }?;
+        // A denormal is not 0, which would be a default, whatever the caller's modes say.
         // SAFETY: thresholds are readable by contract.
-        let options = unsafe { options(&head) }?;
+        let options = fpenv::with_default(|| unsafe { options(&head) })?;
         options.check()?;
         for geometry in geometries {
             check(geometry)?;

@@ -5,6 +5,7 @@ use super::build::hug_scene;
 use super::guard::{guard, overlap};
 use super::types::hug_status;
 use crate::arena::View;
+use crate::simd::fpenv;
 use crate::stats::{Lengths, Occupancy, cumulated};
 use crate::{Error, MAX_LEVELS};
 
@@ -171,11 +172,11 @@ pub unsafe extern "C" fn hug_lengths(
         }
         // SAFETY: of full size.
         let mut desc = unsafe { lengths.read() };
-        let share = if desc.share == 0.0 { 0.2 } else { desc.share };
-        let sensible = share > 0.0 && share < f64::INFINITY;
-        if !sensible {
-            return Err(Error::InvalidValue);
-        }
+        let share = fpenv::with_default(|| match desc.share {
+            0.0 => Ok(0.2),
+            share if share > 0.0 && share < f64::INFINITY => Ok(share),
+            _ => Err(Error::InvalidValue),
+        })?;
         // SAFETY: writable by contract.
         let (counts, percent) = unsafe { arrays(desc.counts, desc.cumulated, desc.capacity) }?;
         let seen = Lengths::of(&view);

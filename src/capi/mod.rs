@@ -10,6 +10,7 @@
 // The comments are C documentation: brackets are subscripts there.
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
 
+mod budget;
 mod build;
 mod callbacks;
 mod desc;
@@ -28,6 +29,7 @@ mod stream;
 mod stream_soa;
 pub mod types;
 
+pub use budget::*;
 pub use build::*;
 pub use distribution::*;
 pub use fault::*;

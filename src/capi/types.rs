@@ -31,7 +31,7 @@ pub const HUG_ERROR_INDEX_RANGE: hug_status = 7;
 pub const HUG_ERROR_OUT_OF_MEMORY: hug_status = 8;
 /// The scratch or arena memory handed in is too small.
 pub const HUG_ERROR_BUFFER_TOO_SMALL: hug_status = 9;
-/// More than 2^31 - 1 triangles, or more references than max_refs allows at the counts asked for.
+/// More than 2^30 - 1 triangles, or more references than max_refs allows at the counts asked for.
 pub const HUG_ERROR_LIMIT: hug_status = 10;
 /// hug_open: the bytes end before the arena does.
 pub const HUG_ERROR_TRUNCATED: hug_status = 11;
@@ -41,7 +41,7 @@ pub const HUG_ERROR_MAGIC: hug_status = 12;
 pub const HUG_ERROR_VERSION: hug_status = 13;
 /// hug_open: the arena was written for a machine of other endianness.
 pub const HUG_ERROR_ENDIANNESS: hug_status = 14;
-/// hug_open: the arena contradicts itself.
+/// hug_open: the arena's records contradict each other.
 pub const HUG_ERROR_CORRUPT: hug_status = 15;
 /// A bug in hug: a panic was stopped at the boundary.
 pub const HUG_ERROR_INTERNAL: hug_status = 16;
@@ -50,6 +50,12 @@ pub const HUG_ERROR_INTERNAL: hug_status = 16;
 pub const HUG_ERROR_CANCELLED: hug_status = 17;
 /// parallel_for returned before every task had been run.
 pub const HUG_ERROR_UNFINISHED: hug_status = 18;
+/// hug_open: sections overlap, leave gaps or the arena, or their sizes overflow.
+pub const HUG_ERROR_SECTIONS: hug_status = 19;
+/// hug_open: a grid points to itself, or to one that is not below it.
+pub const HUG_ERROR_CYCLE: hug_status = 20;
+/// hug_open: a voxel or list refers to a list, triangle or grid that there is not, or out of order.
+pub const HUG_ERROR_REFERENCE: hug_status = 21;
 
 /// The id that names nothing, in hits and in a ray's skip_geom and skip_prim.
 pub const HUG_NONE: u32 = 0xffff_ffff;

@@ -40,6 +40,10 @@ pub(crate) trait Count: Copy {
     fn keep_grid(&mut self, _: u32, _: [f64; 2]) {}
     /// The ray, in this voxel and with this part of it, meets the list at a place.
     fn keep_list(&mut self, _: u32, _: [i32; 4], _: [f32; 2]) {}
+    /// Whether the walk has to end here, unfinished.
+    fn spent(&self) -> bool {
+        false
+    }
 }
 
 /// The best instruction set of x86-64 that walks are compiled for which count so.

@@ -3,9 +3,10 @@
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
-//! `profile` what is counted.
+//! `profile` what is counted, `budget` ends a walk early, `work` bounds what one can do.
 
 mod bounds;
+mod budget;
 mod counters;
 mod course;
 mod decided;
@@ -17,7 +18,9 @@ mod sieve;
 mod single;
 mod stream;
 mod walk;
+mod work;
 
+pub use budget::Truncated;
 pub use counters::Counters;
 #[cfg(feature = "capi")]
 pub(crate) use counters::{Count, Uncounted};

@@ -141,6 +141,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         if C::KEEPS {
             self.counters.keep_grid(number, [t0, t1]);
         }
+        if self.counters.spent() {
+            return true;
+        }
         let l = self.lanes;
         let grid = self.sections.grid(number);
         let Some(local) = Local::enter(l, grid, &self.course, self.ray, t0, t1) else {
@@ -152,6 +155,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         loop {
             let voxel = self.sections.voxel(local.number(l, &self.course, at) as usize);
             self.counters.voxel();
+            if self.counters.spent() {
+                return true;
+            }
             let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
             let step = if tag == EMPTY {
                 // The tag's bits are beyond those of the exit box, and 0.
@@ -246,6 +252,9 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 few.iter().for_each(|&r| self.counters.look(self.ray, self.sections.triangle(r)));
             }
             self.counters.tests(few.len());
+            if self.counters.spent() {
+                return Met::Enough;
+            }
             let mut left = self.sieve.pass(self.lanes, few);
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];

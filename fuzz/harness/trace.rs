@@ -1,0 +1,59 @@
+//! Build from any soup and options, trace any rays: every form of query says what brute
+//! force says, whatever the structure and the instruction set.
+
+use super::block::Block;
+use super::input::Input;
+use super::soup::{Soup, options};
+use hug::{Counters, Error, Hit, Isa, Ray, Scene, Structure, Truncated, View, force_isa};
+
+const STRUCTURES: [Structure; 4] =
+    [Structure::Auto, Structure::Uniform, Structure::Recursive, Structure::Hug];
+
+fn bits(hit: &Hit) -> [u32; 10] {
+    // SAFETY: ten fields of four bytes each.
+    unsafe { std::mem::transmute(*hit) }
+}
+
+fn check(view: &View<'_>, rays: &[Ray]) {
+    let mut hits = vec![Hit::miss(0.0); rays.len()];
+    let mut shadows = vec![false; rays.len()];
+    view.intersect_n(rays, &mut hits);
+    view.occluded_n(rays, &mut shadows);
+    let most = view.most_steps();
+    for ((ray, hit), shadow) in rays.iter().zip(&hits).zip(&shadows) {
+        let expected = bits(&view.intersect_brute(ray));
+        let mut counters = Counters::default();
+        assert_eq!(bits(&view.intersect(ray)), expected, "{ray:?}");
+        assert_eq!(bits(&view.intersect_counted(ray, &mut counters)), expected, "{ray:?}");
+        assert_eq!(bits(hit), expected, "{ray:?} in a stream");
+        let is_hit = hit.is_hit();
+        assert_eq!(view.occluded(ray), is_hit, "{ray:?}");
+        assert_eq!(*shadow, is_hit, "{ray:?} in a stream");
+        let steps = counters.grids + counters.voxels + counters.tests;
+        assert!(steps <= most, "{ray:?}: {steps} steps, {most} should suffice");
+        assert_eq!(view.intersect_within(ray, steps).map(|hit| bits(&hit)), Ok(expected));
+        assert_eq!(view.occluded_within(ray, most), Ok(is_hit));
+        if steps > 0 {
+            assert_eq!(view.intersect_within(ray, steps - 1), Err(Truncated), "{ray:?}");
+        }
+    }
+}
+
+/// The target.
+pub fn trace(data: &[u8]) {
+    let mut input = Input::new(data);
+    force_isa(input.one_of(&Isa::ALL));
+    let soup = Soup::read(&mut input);
+    let structure = input.one_of(&STRUCTURES);
+    let options = options(&mut input, structure);
+    let rays: Vec<Ray> = (0..input.below(24)).map(|_| soup.ray(&mut input)).collect();
+    let scene = match Scene::build(&soup.geometries(), &options) {
+        Ok(scene) => scene,
+        // Only explicit counts may ask for more references than max_refs allows.
+        Err(Error::Limit) if options.counts != [0; 3] => return,
+        Err(error) => panic!("{error}: {options:?}"),
+    };
+    let copy = Block::copy(scene.view().bytes());
+    let view = View::open(copy.bytes()).expect("what was built opens");
+    check(&view, &rays);
+}
