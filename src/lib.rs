@@ -58,7 +58,7 @@ pub use ray::{Hit, NONE, Ray};
 pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
 pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
-pub use trace::{Calls, Counters, Profile};
+pub use trace::{Calls, Counters, Found, Hits, Profile, intersect_triangle};
 
 /// Any number of threads may query one scene: without this it does not compile.
 const _: () = {

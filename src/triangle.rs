@@ -152,6 +152,13 @@ impl Line {
         near.rounded_weights().unwrap_or_else(|| self.weights_exactly(&triangle.all()))
     }
 
+    /// Whether the line, in its direction, passes the triangle's plane from the side to
+    /// which `(b - a) x (c - a)` points: exactly.
+    pub fn comes_from_front(&self, triangle: &impl Corners) -> bool {
+        let near = Estimate::new(&self.org, &self.dir, triangle);
+        near.comes_from_front().unwrap_or_else(|| self.case(&triangle.all()).comes_from_front())
+    }
+
     #[inline(always)]
     fn in_range(&self, t: f32, tmax: f32) -> Option<f32> {
         // Adding +0 turns -0 into +0 and changes nothing else.

@@ -81,6 +81,15 @@ impl Case {
         }
     }
 
+    /// Whether the ray passes the triangle's plane from the side of its normal.
+    pub fn comes_from_front(&self) -> bool {
+        if self.narrow() {
+            narrow::Edges::new(self).det().signum() > 0
+        } else {
+            wide::Edges::new(self).det().signum() > 0
+        }
+    }
+
     /// The rounded weights of the second and the third corner.
     pub fn weights(&self) -> (f32, f32) {
         if self.narrow() {

@@ -3,12 +3,17 @@
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
-//! `profile` what is counted.
+//! `profile` what is counted. `all` and `filter` are walks with other ends, `cull` and
+//! `alone` about one triangle.
 
+mod all;
+mod alone;
 mod bounds;
 mod counters;
 mod course;
+mod cull;
 mod decided;
+mod filter;
 mod local;
 mod profile;
 mod query;
@@ -18,6 +23,8 @@ mod single;
 mod stream;
 mod walk;
 
+pub use all::{Found, Hits};
+pub use alone::intersect_triangle;
 pub use counters::Counters;
 #[cfg(feature = "capi")]
 pub(crate) use counters::{Count, Uncounted};

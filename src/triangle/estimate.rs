@@ -120,6 +120,11 @@ impl Estimate {
         }
     }
 
+    /// Whether `det` is positive, if that is certain.
+    pub fn comes_from_front(&self) -> Option<bool> {
+        (self.det.abs() > self.det_error).then_some(self.det > 0.0)
+    }
+
     /// `t`, if the sides are not unsure.
     #[inline(always)]
     pub fn t(&self) -> Range {

@@ -13,7 +13,7 @@ mod hit;
 mod judge;
 mod round;
 
-pub use closest::{Closest, closest, occluded};
+pub use closest::{Closest, all, closest, occluded};
 pub use hit::{ExactHit, hit};
 pub use judge::{Claim, Verdict, judge, judge_occluded};
 pub use round::round_to_f32;
