@@ -39,6 +39,8 @@ mod exact;
 mod geometry;
 mod math;
 mod options;
+mod point;
+mod probe;
 mod ray;
 #[cfg(feature = "alloc")]
 mod scene;
@@ -53,6 +55,7 @@ pub use builder::Builder;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
 pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
+pub use probe::{Nearest, Probe};
 pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;

@@ -10,13 +10,16 @@
 // The comments are C documentation: brackets are subscripts there.
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
 
+mod all;
 mod build;
 mod callbacks;
 mod desc;
 mod distribution;
 mod fault;
+mod filter;
 mod guard;
 mod memory;
+mod nearest;
 mod options;
 mod profile;
 mod query;
@@ -28,9 +31,12 @@ mod stream;
 mod stream_soa;
 pub mod types;
 
+pub use all::*;
 pub use build::*;
 pub use distribution::*;
 pub use fault::*;
+pub use filter::*;
+pub use nearest::*;
 pub use profile::*;
 pub use query::*;
 pub use rebuild::*;

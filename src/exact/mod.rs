@@ -13,6 +13,7 @@ mod narrow;
 mod quad;
 mod round;
 mod span;
+pub mod spot;
 mod wide;
 
 use round::{Magnitude, nearest};
@@ -81,13 +82,9 @@ impl Case {
         }
     }
 
-    /// Whether the ray passes the triangle's plane from the side of its normal.
-    pub fn comes_from_front(&self) -> bool {
-        if self.narrow() {
-            narrow::Edges::new(self).det().signum() > 0
-        } else {
-            wide::Edges::new(self).det().signum() > 0
-        }
+    /// Whether the ray comes from the side to which the triangle's normal points.
+    pub fn from_front(&self) -> bool {
+        wide::Edges::new(self).det().signum() > 0
     }
 
     /// The rounded weights of the second and the third corner.

@@ -7,7 +7,7 @@
 
 use core::cell::Cell;
 
-use super::alone::record;
+use super::alone::{meet, record};
 use super::counters::Uncounted;
 use super::query::{Query, usable};
 use super::walk::Walk;
@@ -48,7 +48,7 @@ impl Collect<'_> {
     /// instruction sets.
     #[inline(never)]
     fn take(&mut self, line: &Line, triangle: &Triangle) -> bool {
-        let Some(met) = line.meet(triangle, self.limit()) else {
+        let Some(met) = meet(line, triangle, self.limit()) else {
             return false;
         };
         let here = (met.t, triangle.geom, triangle.prim);

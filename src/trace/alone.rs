@@ -1,11 +1,17 @@
 //! A triangle on its own.
 
-use super::query::Closest;
-use super::query::{Query, usable, visible};
+use super::query::{Closest, Query, usable, visible};
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, Ray};
 use crate::simd::{Portable, fpenv};
 use crate::triangle::{Line, Met, normal};
+
+/// [`Line::meet`]. Not inlined, here and below: one copy serves all that need not be the
+/// fastest.
+#[inline(never)]
+pub(super) fn meet(line: &Line, triangle: &Triangle, limit: f32) -> Option<Met> {
+    line.meet(triangle, limit)
+}
 
 /// The record of a hit.
 #[inline(never)]
@@ -34,7 +40,7 @@ pub fn intersect_triangle(ray: &Ray, corners: &[[f32; 3]; 3]) -> Hit {
             return Closest::miss(ray);
         }
         let line = Line::new(ray);
-        let met = line.meet(&triangle, ray.tmax);
+        let met = meet(&line, &triangle, ray.tmax);
         met.map_or_else(|| Closest::miss(ray), |met| record(&line, &triangle, met))
     })
 }

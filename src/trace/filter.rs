@@ -30,13 +30,13 @@ impl View<'_> {
     /// # Ok::<(), hug::Error>(())
     /// ```
     pub fn intersect_filtered(&self, ray: &Ray, mut accept: impl FnMut(&Hit) -> bool) -> Hit {
-        self.accepted(ray, self.intersect(ray), &mut accept)
+        self.first_accepted(ray, &mut accept)
     }
 
     /// Whether `ray` hits anything that `accept` accepts, asked as by
     /// [`View::intersect_filtered`].
-    pub fn occluded_filtered(&self, ray: &Ray, accept: impl FnMut(&Hit) -> bool) -> bool {
-        self.intersect_filtered(ray, accept).is_hit()
+    pub fn occluded_filtered(&self, ray: &Ray, mut accept: impl FnMut(&Hit) -> bool) -> bool {
+        self.first_accepted(ray, &mut accept).is_hit()
     }
 
     /// [`View::intersect_filtered`] for many rays, as [`View::intersect_n`]; `accept` is
@@ -49,7 +49,7 @@ impl View<'_> {
     ) {
         let n = rays.len().min(hits.len());
         let mut port = Slices { rays, answers: hits };
-        self.filtered(&mut port, n, |hit| hit, &mut |i, _, hit| accept(i, hit));
+        self.filtered(&mut port, n, &mut |i, _, hit| accept(i, hit));
     }
 
     /// [`View::occluded_filtered`] for many rays, likewise.
@@ -60,11 +60,17 @@ impl View<'_> {
         mut accept: impl FnMut(usize, &Hit) -> bool,
     ) {
         let n = rays.len().min(occluded.len());
-        let mut port = Slices { rays, answers: occluded };
-        self.filtered(&mut port, n, |hit| hit.is_hit(), &mut |i, _, hit| accept(i, hit));
+        let mut port = Flags(&mut Slices { rays, answers: occluded });
+        self.filtered(&mut port, n, &mut |i, _, hit| accept(i, hit));
+    }
+
+    #[inline(never)]
+    fn first_accepted(&self, ray: &Ray, accept: &mut dyn FnMut(&Hit) -> bool) -> Hit {
+        self.accepted(ray, self.intersect(ray), accept)
     }
 
     /// The first hit from `first` on that is accepted.
+    #[inline(never)]
     fn accepted(&self, ray: &Ray, first: Hit, accept: &mut dyn FnMut(&Hit) -> bool) -> Hit {
         if !first.is_hit() || accept(&first) {
             return first;
@@ -73,11 +79,10 @@ impl View<'_> {
     }
 
     /// Answers `n` rays of a port, asking `accept` about number, ray and hit.
-    pub(crate) fn filtered<Out>(
+    pub(crate) fn filtered(
         &self,
-        port: &mut dyn Port<Out>,
+        port: &mut dyn Port<Hit>,
         n: usize,
-        answer: fn(Hit) -> Out,
         accept: &mut dyn FnMut(usize, &Ray, &Hit) -> bool,
     ) {
         let mut rays = [Ray::new([0.0; 3], [0.0; 3]); CHUNK];
@@ -89,11 +94,23 @@ impl View<'_> {
                 *to = port.ray(i);
             }
             self.intersect_n(rays, &mut hits);
-            for ((i, ray), hit) in (first..).zip(&*rays).zip(hits) {
-                let hit = self.accepted(ray, hit, &mut |hit| accept(i, ray, hit));
-                port.put(i, answer(hit));
+            for ((i, ray), hit) in (first..).zip(&*rays).zip(&hits) {
+                port.put(i, self.accepted(ray, *hit, &mut |hit| accept(i, ray, hit)));
             }
             first += rays.len();
         }
+    }
+}
+
+/// A port that wants to know whether there are hits.
+pub(crate) struct Flags<'p>(pub &'p mut dyn Port<bool>);
+
+impl Port<Hit> for Flags<'_> {
+    fn ray(&mut self, i: usize) -> Ray {
+        self.0.ray(i)
+    }
+
+    fn put(&mut self, i: usize, hit: Hit) {
+        self.0.put(i, hit.is_hit());
     }
 }

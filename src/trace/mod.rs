@@ -3,18 +3,18 @@
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
-//! `profile` what is counted. `all` and `filter` are walks with other ends, `cull` and
-//! `alone` about one triangle.
+//! `profile` what is counted. `all` and `filter` are walks with other ends, `alone`
+//! is about one triangle.
 
 mod all;
 mod alone;
 mod bounds;
 mod counters;
 mod course;
-mod cull;
 mod decided;
 mod filter;
 mod local;
+mod nearest;
 mod profile;
 mod query;
 mod rebase;
@@ -28,6 +28,8 @@ pub use alone::intersect_triangle;
 pub use counters::Counters;
 #[cfg(feature = "capi")]
 pub(crate) use counters::{Count, Uncounted};
+#[cfg(feature = "capi")]
+pub(crate) use filter::Flags;
 pub use profile::{Calls, Profile};
 #[cfg(feature = "capi")]
 pub(crate) use stream::Port;

@@ -1,6 +1,5 @@
 //! The kinds of query: what becomes of a triangle that is met.
 
-use super::cull::culled;
 use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
@@ -140,11 +139,10 @@ pub(super) fn usable<L: Lanes>(l: L, ray: &Ray) -> bool {
     l.all_finite(org) & l.all_finite(dir) & moves & range
 }
 
-/// Whether the ray may meet this triangle: masks share a bit, it is not the one to
-/// skip, and it does not turn a side to the ray that is culled.
+/// Whether the ray may meet this triangle: masks share a bit and it is not the
+/// one to skip.
 #[inline(always)]
 pub(super) fn visible(ray: &Ray, triangle: &Triangle) -> bool {
     ray.mask & triangle.mask != 0
         && (triangle.geom != ray.skip_geom || triangle.prim != ray.skip_prim)
-        && (ray.flags == 0 || !culled(ray, triangle))
 }

@@ -120,9 +120,11 @@ impl Estimate {
         }
     }
 
-    /// Whether `det` is positive, if that is certain.
-    pub fn comes_from_front(&self) -> Option<bool> {
-        (self.det.abs() > self.det_error).then_some(self.det > 0.0)
+    /// Whether the line comes from the side to which `e1 x e2` points, if it is inside:
+    /// then `det` is well beyond its error.
+    #[inline(always)]
+    pub fn from_front(&self) -> bool {
+        self.det > 0.0
     }
 
     /// `t`, if the sides are not unsure.
