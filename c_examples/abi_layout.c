@@ -28,6 +28,8 @@ ALIGNMENT_PROBE(hug_voxel_histogram);
 ALIGNMENT_PROBE(hug_scene_lengths);
 ALIGNMENT_PROBE(hug_calls);
 ALIGNMENT_PROBE(hug_profile);
+ALIGNMENT_PROBE(hug_probe);
+ALIGNMENT_PROBE(hug_nearest);
 
 #define STRUCT(type)                                          \
     printf("%s %u %u\n", #type, (unsigned)sizeof(type),       \
