@@ -107,7 +107,7 @@ impl Line {
         let near = Estimate::new(&self.org, &self.dir, triangle);
         match near.sides() {
             Sides::Outside => None,
-            Sides::Inside if self.flags != 0 && self.culls(near.from_front()) => None,
+            Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => None,
             Sides::Inside => {
                 let t = near.t();
                 if t.low == t.high {
@@ -133,7 +133,7 @@ impl Line {
         let near = Estimate::new(&self.org, &self.dir, triangle);
         match near.sides() {
             Sides::Outside => false,
-            Sides::Inside if self.flags != 0 && self.culls(near.from_front()) => false,
+            Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,
             Sides::Inside => {
                 let t = near.t();
                 if t.low >= self.tmin && t.high <= finite(tmax) {
@@ -184,7 +184,7 @@ impl Line {
     fn meet_exactly(&self, corners: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
         let case = self.case(corners);
         let t = case.t().and_then(|t| self.in_range(t, tmax));
-        t.filter(|_| self.flags == 0 || !self.culls(case.from_front()))
+        t.filter(|_| self.flags == 0 || !self.culls(case.is_front()))
     }
 
     #[cold]

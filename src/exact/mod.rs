@@ -83,7 +83,7 @@ impl Case {
     }
 
     /// Whether the ray comes from the side to which the triangle's normal points.
-    pub fn from_front(&self) -> bool {
+    pub fn is_front(&self) -> bool {
         wide::Edges::new(self).det().signum() > 0
     }
 

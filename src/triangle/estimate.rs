@@ -123,7 +123,7 @@ impl Estimate {
     /// Whether the line comes from the side to which `e1 x e2` points, if it is inside:
     /// then `det` is well beyond its error.
     #[inline(always)]
-    pub fn from_front(&self) -> bool {
+    pub fn is_front(&self) -> bool {
         self.det > 0.0
     }
 

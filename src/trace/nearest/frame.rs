@@ -41,12 +41,9 @@ impl Bounds {
 
     /// At most the square of the distance from `p`.
     pub fn square(&self, p: &[f64; 3]) -> f64 {
-        let mut sum = 0.0;
-        for k in 0..3 {
-            let out = (self.lo[k] - p[k]).max(p[k] - self.hi[k]).max(0.0);
-            sum += out * out;
-        }
-        sum * BELOW
+        let off = |k: usize| (self.lo[k] - p[k]).max(p[k] - self.hi[k]).max(0.0);
+        let [x, y, z] = [off(0), off(1), off(2)];
+        (x * x + y * y + z * z) * BELOW
     }
 }
 
