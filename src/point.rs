@@ -41,6 +41,7 @@ pub struct Spot<N> {
 
 impl<N: Number> Spot<N> {
     /// `den` times the point's coordinate `k`.
+    #[inline(never)]
     pub fn coordinate(&self, [a, b, c]: &[Vector<N>; 3], k: usize) -> N {
         let along = |to: &Vector<N>, weight: &N| to[k].sub(&a[k]).mul(weight);
         a[k].mul(&self.den).add(&along(b, &self.u)).add(&along(c, &self.v))

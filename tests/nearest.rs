@@ -169,3 +169,18 @@ fn bad_probes_find_nothing() {
     let empty = Scene::build(&[], &Options::default()).expect("an empty scene");
     assert!(!empty.view().closest_point(&Probe::new([0.0; 3], f32::INFINITY)).is_found());
 }
+
+/// Deep hierarchies, and the long integers, in the stack that the documentation names.
+#[test]
+fn little_stack_suffices() {
+    for (soup, mesh) in soups() {
+        for (name, options) in configurations() {
+            let (scene, probes) = (build(&mesh, &options), probes(&mesh, 9, 20));
+            let search =
+                move || probes.iter().filter(|p| scene.view().closest_point(p).is_found()).count();
+            let small = std::thread::Builder::new().stack_size(96 << 10).spawn(search);
+            let found = small.expect("a thread").join().expect("no panic");
+            assert!(found > 0 || mesh.indices.is_empty(), "{soup} in {name}");
+        }
+    }
+}

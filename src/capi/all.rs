@@ -51,13 +51,13 @@ pub unsafe extern "C" fn hug_intersect_all(
         if scene.is_null() || ray.is_null() || count.is_null() {
             return Err(Error::Null);
         }
+        // Read before there is a reference to the room, which it may be in.
+        // SAFETY: valid or NULL by contract.
+        let after = (!after.is_null()).then(|| unsafe { after.cast::<Hit>().read_unaligned() });
         // SAFETY: valid by contract.
         let room = unsafe { room(hits, capacity) }?;
-        // SAFETY: valid or NULL by contract.
-        let found = unsafe {
-            let after = (!after.is_null()).then(|| after.cast::<Hit>().read_unaligned());
-            view(scene).intersect_all(&read(ray), after.as_ref(), room)
-        };
+        // SAFETY: not NULL, valid by contract.
+        let found = unsafe { view(scene).intersect_all(&read(ray), after.as_ref(), room) };
         tell(found.count, found.more);
         Ok(())
     })

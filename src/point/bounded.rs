@@ -37,6 +37,7 @@ impl Bounded {
 
     /// The bounds of `sqrt(num / den)` as `f32`, if `den` is positive and `num` not
     /// negative.
+    #[inline(never)]
     pub fn root(num: &Self, den: &Self) -> Option<[f32; 2]> {
         let ([low, high], [least, most]) = (num.ends(), den.ends());
         // Quotients and roots are good to a part in 10^15.
@@ -48,6 +49,7 @@ impl Bounded {
     }
 
     /// `num / den` as `f32`, if its rounding is certain; `den` is not negative.
+    #[inline(never)]
     pub fn quotient(num: &Self, den: &Self) -> Option<f32> {
         let [least, _] = den.ends();
         let q = num.x / den.x;

@@ -91,6 +91,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Where voxel `i` begins along axis `k`: voxels share out all of space.
+    #[inline(never)]
     fn plane(&self, i: u32, k: usize) -> f64 {
         if i == 0 {
             f64::NEG_INFINITY

@@ -171,8 +171,9 @@ impl View<'_> {
     /// in every structure, on every machine; it is what [`View::closest_point_brute`]
     /// finds. A distance that is too large for `f32` is none.
     ///
-    /// One search at a time; there is no form for streams. It takes some kilobytes of
-    /// stack.
+    /// One search at a time; there is no form for streams. 96 kB of stack suffice.
+    /// Empty space costs little where there are exit boxes; without them
+    /// (`exit_boxes: false`) every voxel in the ball is looked at.
     ///
     /// ```
     /// # let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
