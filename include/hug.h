@@ -1264,8 +1264,9 @@ int32_t hug_occluded_counted(const hug_scene *scene, const hug_ray *ray, hug_cou
  * Results are those of hug_intersect, bit for bit, in the order of the rays.
  * With a NULL pointer nothing is done.
  *
- * Up to 32 rays are under way at a time, which takes a third to two thirds of the time
- * of calls of their own, be the rays alike or not. It takes up to 96 kB of stack.
+ * Up to 32 rays are under way at a time. Some dozens of rays or more take less time so
+ * than in calls of their own, be they alike or not: about two thirds. It takes up to
+ * 48 kB of stack.
  *
  * # Safety
  * The rays must be readable and the hits writable, at their strides.
