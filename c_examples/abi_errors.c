@@ -19,6 +19,9 @@ int main(void)
     check_statistics();
     check_distributions();
     check_profiles();
+    check_hits();
+    check_filtered();
+    check_nearest();
     printf("abi_errors: %u expectations, %u failed\n", check_count(), check_failures());
     return check_failures() ? 1 : 0;
 }

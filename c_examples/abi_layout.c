@@ -28,6 +28,8 @@ ALIGNMENT_PROBE(hug_voxel_histogram);
 ALIGNMENT_PROBE(hug_scene_lengths);
 ALIGNMENT_PROBE(hug_calls);
 ALIGNMENT_PROBE(hug_profile);
+ALIGNMENT_PROBE(hug_probe);
+ALIGNMENT_PROBE(hug_nearest);
 
 #define STRUCT(type)                                          \
     printf("%s %u %u\n", #type, (unsigned)sizeof(type),       \
@@ -116,6 +118,7 @@ static void print_ray_soa(void)
     FIELD(hug_ray_soa, mask);
     FIELD(hug_ray_soa, skip_geom);
     FIELD(hug_ray_soa, skip_prim);
+    FIELD(hug_ray_soa, flags);
 }
 
 static void print_hit_soa(void)
@@ -248,6 +251,30 @@ static void print_profile(void)
     FIELD(hug_profile, level);
 }
 
+static void print_probe(void)
+{
+    STRUCT(hug_probe);
+    FIELD(hug_probe, org);
+    FIELD(hug_probe, radius);
+    FIELD(hug_probe, mask);
+    FIELD(hug_probe, flags);
+    FIELD(hug_probe, skip_geom);
+    FIELD(hug_probe, skip_prim);
+}
+
+static void print_nearest(void)
+{
+    STRUCT(hug_nearest);
+    FIELD(hug_nearest, distance);
+    FIELD(hug_nearest, u);
+    FIELD(hug_nearest, v);
+    FIELD(hug_nearest, point);
+    FIELD(hug_nearest, geom);
+    FIELD(hug_nearest, prim);
+    FIELD(hug_nearest, inst);
+    FIELD(hug_nearest, reserved);
+}
+
 int main(void)
 {
     print_geometry();
@@ -264,5 +291,7 @@ int main(void)
     print_scene_lengths();
     print_calls();
     print_profile();
+    print_probe();
+    print_nearest();
     return 0;
 }

@@ -55,6 +55,18 @@
 #define HUG_MAX_LEVELS 16
 
 /**
+ * Ray flag: passes through triangles that it meets from behind. The front of a triangle
+ * is where its normal points (hug_hit's ng) and its corners go round counterclockwise; a
+ * ray comes from there if the exact dot product of dir and ng is negative.
+ */
+#define HUG_RAY_CULL_BACK 1
+
+/**
+ * Ray flag: passes through triangles that it meets from the front.
+ */
+#define HUG_RAY_CULL_FRONT 2
+
+/**
  * hug_intersect_within and hug_occluded_within: the steps did not suffice.
  */
 #define HUG_TRUNCATED -1
@@ -322,7 +334,7 @@ typedef struct {
    */
   uint32_t mask;
   /**
-   * Reserved, must be 0.
+   * HUG_RAY_* flags. Other bits are reserved and must be 0; they change nothing.
    */
   uint32_t flags;
   /**
@@ -436,6 +448,10 @@ typedef struct {
    * The triangle to pass through; HUG_NONE.
    */
   const uint32_t *skip_prim;
+  /**
+   * HUG_RAY_* flags; 0.
+   */
+  const uint32_t *flags;
 } hug_ray_soa;
 
 /**
@@ -825,6 +841,88 @@ typedef struct {
    */
   hug_calls level[HUG_MAX_LEVELS];
 } hug_profile;
+
+/**
+ * Says whether a hit counts: nonzero accepts it, 0 lets the ray pass through. index is
+ * the ray's place in the stream, or 0; ray and hit are copies that live until it returns.
+ * It may query any scene; it must not write to the rays or answers of the stream it is
+ * called for, and must return (no longjmp, no exception).
+ */
+typedef int32_t (*hug_filter_fn)(void *user, size_t index, const hug_ray *ray, const hug_hit *hit);
+
+/**
+ * A ball to search for the nearest point of a scene. 32 bytes, aligned to 4.
+ *
+ * NaN anywhere, a centre that is not finite or a negative radius find nothing. The
+ * radius may be infinite.
+ */
+typedef struct {
+  /**
+   * Centre, in the units of the scene.
+   */
+  float org[3];
+  /**
+   * Largest distance, inclusive.
+   */
+  float radius;
+  /**
+   * A geometry is found only if its mask shares a bit with this one.
+   */
+  uint32_t mask;
+  /**
+   * Reserved, must be 0; changes nothing.
+   */
+  uint32_t flags;
+  /**
+   * Geometry of the one triangle to leave out, or HUG_NONE.
+   */
+  uint32_t skip_geom;
+  /**
+   * Primitive of the one triangle to leave out, or HUG_NONE.
+   */
+  uint32_t skip_prim;
+} hug_probe;
+
+/**
+ * The nearest point. 40 bytes, aligned to 4.
+ *
+ * Nothing has geom = prim = inst = HUG_NONE, distance = the probe's radius, and zeros
+ * elsewhere. Of equal distances that of the lowest geom, then lowest prim, is returned.
+ */
+typedef struct {
+  /**
+   * The exact distance of the triangle from the centre, rounded once to float.
+   */
+  float distance;
+  /**
+   * Weight of v1 at the nearest point, exact but for one rounding.
+   */
+  float u;
+  /**
+   * Weight of v2 at the nearest point, exact but for one rounding.
+   */
+  float v;
+  /**
+   * The triangle's nearest point, each coordinate exact but for one rounding.
+   */
+  float point[3];
+  /**
+   * Index of the geometry in the descriptor.
+   */
+  uint32_t geom;
+  /**
+   * Index of the triangle in its geometry.
+   */
+  uint32_t prim;
+  /**
+   * Reserved for instances; HUG_NONE.
+   */
+  uint32_t inst;
+  /**
+   * 0.
+   */
+  uint32_t reserved;
+} hug_nearest;
 
 /**
  * Success.
@@ -1225,8 +1323,9 @@ hug_status hug_most_steps(const hug_scene *scene, uint64_t *steps);
  * Results are those of hug_intersect, bit for bit, in the order of the rays.
  * With a NULL pointer nothing is done.
  *
- * Up to 32 rays are under way at a time, which takes a third to two thirds of the time
- * of calls of their own, be the rays alike or not. It takes up to 96 kB of stack.
+ * Up to 32 rays are under way at a time. Some dozens of rays or more take less time so
+ * than in calls of their own, be they alike or not: about two thirds. It takes up to
+ * 48 kB of stack.
  *
  * # Safety
  * The rays must be readable and the hits writable, at their strides.
@@ -1434,6 +1533,128 @@ void hug_occluded_n_profiled(const hug_scene *scene,
                              uint8_t *occluded,
                              size_t n,
                              hug_profile *profile);
+
+/**
+ * Finds the hits of a ray, smallest t first, ties by lowest geom, then lowest prim, each
+ * triangle once: as many as there is room for, the first of them. *count becomes how many
+ * were written, *more, unless more is NULL, 1 if there are others behind them, else 0.
+ *
+ * after is NULL, or one of the ray's hits: then those that follow it are found, so that
+ * nothing is lost or told twice if a call goes on after the last hit of another. It may
+ * be one of hits, which is written. A miss, or a hit whose t is NaN, is followed by
+ * nothing. With capacity 0 hits may be NULL, and only *more is of use.
+ *
+ * Each hit is what hug_intersect writes. It takes about as long as walking to the last
+ * hit that is kept, or to the ray's end if there is room for all. There is no form for
+ * streams: answers of unknown length would need memory for the worst case.
+ *
+ * HUG_ERROR_NULL: scene, ray, count, or hits with a capacity is NULL;
+ * HUG_ERROR_ALIGNMENT: hits is not aligned to 4; HUG_ERROR_OVERFLOW: a capacity beyond
+ * the address space. Nothing is done then, but *count and *more become 0.
+ *
+ * # Safety
+ * Each pointer is valid or NULL, hits for capacity elements.
+ */
+hug_status hug_intersect_all(const hug_scene *scene,
+                             const hug_ray *ray,
+                             const hug_hit *after,
+                             hug_hit *hits,
+                             size_t capacity,
+                             size_t *count,
+                             int32_t *more);
+
+/**
+ * Finds the hit of a ray on one triangle, corners v0, v1, v2 in x, y, z each, without a
+ * scene: exactly what hug_intersect finds in a scene of this triangle alone, which is
+ * primitive 0 of geometry 0 there and has all bits of the mask. Returns 1 and writes the
+ * hit, or returns 0 and writes the record of a miss. A triangle without area, or with a
+ * corner that is not finite, is never hit. With ray, corners or hit NULL: 0 (a hit
+ * record, if there is one, becomes a miss with t = infinity).
+ *
+ * # Safety
+ * Each pointer is valid or NULL, corners for 9 floats of any alignment.
+ */
+int32_t hug_intersect_triangle(const hug_ray *ray, const float *corners, hug_hit *hit);
+
+/**
+ * hug_intersect that asks filter about hits: finds the closest one that it accepts. A
+ * triangle is offered once at most, in no order to rely on, with the hit that
+ * hug_intersect would write; filter is called on this thread, with user. A rejected hit
+ * takes about as long as another ray that starts there. With filter NULL every hit is
+ * accepted. With scene, ray or hit NULL: as hug_intersect, and nobody is asked.
+ *
+ * # Safety
+ * Each pointer is valid or NULL; filter is a hug_filter_fn.
+ */
+int32_t hug_intersect_filtered(const hug_scene *scene,
+                               const hug_ray *ray,
+                               hug_hit *hit,
+                               hug_filter_fn filter,
+                               void *user);
+
+/**
+ * Whether anything is hit that filter accepts: 1 or 0. Hits are offered as by
+ * hug_intersect_filtered. With filter NULL: hug_occluded. With scene or ray NULL: 0, and
+ * nobody is asked.
+ *
+ * # Safety
+ * Each pointer is valid or NULL; filter is a hug_filter_fn.
+ */
+int32_t hug_occluded_filtered(const hug_scene *scene,
+                              const hug_ray *ray,
+                              hug_filter_fn filter,
+                              void *user);
+
+/**
+ * hug_intersect_n that asks filter about hits: answers are those of
+ * hug_intersect_filtered, in the order of the rays; the rays may be asked about in any
+ * order. With filter NULL: hug_intersect_n. With another pointer NULL, but user, nothing
+ * is done.
+ *
+ * # Safety
+ * As hug_intersect_n; filter is a hug_filter_fn.
+ */
+void hug_intersect_n_filtered(const hug_scene *scene,
+                              const hug_ray *rays,
+                              size_t ray_stride,
+                              hug_hit *hits,
+                              size_t hit_stride,
+                              size_t n,
+                              hug_filter_fn filter,
+                              void *user);
+
+/**
+ * hug_occluded_n that asks filter about hits: answers are those of
+ * hug_occluded_filtered, in the order of the rays; the rays may be asked about in any
+ * order. With filter NULL: hug_occluded_n. With another pointer NULL, but user, nothing
+ * is done.
+ *
+ * # Safety
+ * As hug_occluded_n; filter is a hug_filter_fn.
+ */
+void hug_occluded_n_filtered(const hug_scene *scene,
+                             const hug_ray *rays,
+                             size_t ray_stride,
+                             uint8_t *occluded,
+                             size_t n,
+                             hug_filter_fn filter,
+                             void *user);
+
+/**
+ * Finds the point of the scene that is nearest to the probe's centre and no farther away
+ * than its radius. Returns 1 and writes it, or returns 0 and writes the record of
+ * nothing. Distances are those of real arithmetic, rounded once to float, and it is the
+ * rounded ones that are compared; one that overflows is none. The answer is the same in
+ * every structure and on every machine. With scene, probe or nearest NULL: 0 (a record, if there
+ * is one, becomes nothing at distance infinity).
+ *
+ * Allocates nothing, locks nothing; any number of threads at a time. One probe at a
+ * time; there is no form for streams.
+ *
+ * # Safety
+ * Each pointer is valid or NULL.
+ */
+int32_t hug_closest_point(const hug_scene *scene, const hug_probe *probe, hug_nearest *nearest);
 
 #ifdef __cplusplus
 }  // extern "C"

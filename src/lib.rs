@@ -39,6 +39,8 @@ mod exact;
 mod geometry;
 mod math;
 mod options;
+mod point;
+mod probe;
 mod ray;
 #[cfg(feature = "alloc")]
 mod scene;
@@ -53,6 +55,7 @@ pub use builder::Builder;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
 pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
+pub use probe::{Nearest, Probe};
 pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;
@@ -61,7 +64,7 @@ pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cu
 #[cfg(feature = "replay")]
 #[doc(hidden)]
 pub use trace::replay;
-pub use trace::{Calls, Counters, Profile, Truncated};
+pub use trace::{Calls, Counters, Found, Hits, Profile, Truncated, intersect_triangle};
 
 /// Any number of threads may query one scene: without this it does not compile.
 const _: () = {

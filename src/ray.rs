@@ -23,7 +23,8 @@ pub struct Ray {
     pub tmax: f32,
     /// A geometry is met only if this and its own mask share a bit.
     pub mask: u32,
-    /// Reserved for culling modes; must be 0.
+    /// [`Ray::CULL_BACK`], [`Ray::CULL_FRONT`], both or neither. Other bits are reserved
+    /// and must be 0; they change nothing.
     pub flags: u32,
     /// Geometry id of the one triangle to pass through, or [`NONE`].
     pub skip_geom: u32,
@@ -32,6 +33,14 @@ pub struct Ray {
 }
 
 impl Ray {
+    /// Flag: passes through triangles that it meets from behind. The front of a triangle
+    /// is where its normal points, [`Hit::ng`], and its corners go round counterclockwise;
+    /// a ray comes from there if the exact `dir . ng` is negative. It is never 0 for a
+    /// triangle that is hit.
+    pub const CULL_BACK: u32 = 1;
+    /// Flag: passes through triangles that it meets from the front.
+    pub const CULL_FRONT: u32 = 2;
+
     /// A ray that meets everything in front of its origin.
     #[must_use]
     pub const fn new(org: [f32; 3], dir: [f32; 3]) -> Self {
@@ -45,6 +54,13 @@ impl Ray {
             skip_geom: NONE,
             skip_prim: NONE,
         }
+    }
+
+    /// The same ray with these flags, [`Ray::CULL_BACK`] for one.
+    #[must_use]
+    pub const fn with_flags(mut self, flags: u32) -> Self {
+        self.flags = flags;
+        self
     }
 
     /// The record in rows of four: origin and `tmin`, direction and `tmax`, the rest.

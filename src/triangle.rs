@@ -63,6 +63,8 @@ pub struct Line {
     dir: Vector,
     /// Finite, or positive infinity.
     tmin: f32,
+    /// The ray's.
+    flags: u32,
 }
 
 /// A `t` too large for `f32` is no hit: no ray could be ended there.
@@ -96,7 +98,7 @@ impl Line {
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
         let tmin = if ray.tmin > f32::MIN { ray.tmin } else { f32::MIN };
-        Self { org: double(ray.org), dir: double(ray.dir), tmin }
+        Self { org: double(ray.org), dir: double(ray.dir), tmin, flags: ray.flags }
     }
 
     /// The hit, if there is one with `tmin <= t <= tmax`.
@@ -105,6 +107,7 @@ impl Line {
         let near = Estimate::new(&self.org, &self.dir, triangle);
         match near.sides() {
             Sides::Outside => None,
+            Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => None,
             Sides::Inside => {
                 let t = near.t();
                 if t.low == t.high {
@@ -130,6 +133,7 @@ impl Line {
         let near = Estimate::new(&self.org, &self.dir, triangle);
         match near.sides() {
             Sides::Outside => false,
+            Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,
             Sides::Inside => {
                 let t = near.t();
                 if t.low >= self.tmin && t.high <= finite(tmax) {
@@ -152,6 +156,12 @@ impl Line {
         near.rounded_weights().unwrap_or_else(|| self.weights_exactly(&triangle.all()))
     }
 
+    /// Whether the ray's flags leave out triangles that it comes to from this side.
+    #[inline(always)]
+    fn culls(&self, front: bool) -> bool {
+        self.flags & (if front { Ray::CULL_FRONT } else { Ray::CULL_BACK }) != 0
+    }
+
     #[inline(always)]
     fn in_range(&self, t: f32, tmax: f32) -> Option<f32> {
         // Adding +0 turns -0 into +0 and changes nothing else.
@@ -172,7 +182,9 @@ impl Line {
     #[cold]
     #[inline(never)]
     fn meet_exactly(&self, corners: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
-        self.case(corners).t().and_then(|t| self.in_range(t, tmax))
+        let case = self.case(corners);
+        let t = case.t().and_then(|t| self.in_range(t, tmax));
+        t.filter(|_| self.flags == 0 || !self.culls(case.is_front()))
     }
 
     #[cold]

@@ -44,6 +44,16 @@ fn every_ray_hits_its_triangle_of_a_sheet() {
 }
 
 #[test]
+fn all_hits_are_found_in_several_calls() {
+    for bin in &*PROGRAMS {
+        let printed = run(&mut program(bin, "allhits"));
+        assert!(printed.starts_with("t 1: enters box 0 at triangle 8"), "{printed}");
+        assert_eq!(printed.lines().count(), 13, "{printed}");
+        assert!(printed.ends_with("3 inside, found in 3 calls\n"), "{printed}");
+    }
+}
+
+#[test]
 fn bad_input_and_promises() {
     for bin in &*PROGRAMS {
         let printed = run(&mut program(bin, "abi_errors"));

@@ -24,6 +24,9 @@ fn header_is_generated() {
         "stats.rs",
         "distribution.rs",
         "profile.rs",
+        "all.rs",
+        "filter.rs",
+        "nearest.rs",
     ];
     for file in files {
         builder = builder.with_src(root.join("src/capi").join(file));

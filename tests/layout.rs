@@ -10,7 +10,9 @@ use hug::capi::types::{
     hug_build_desc, hug_counters, hug_geometry, hug_hit, hug_hit_soa, hug_level_shares,
     hug_level_stats, hug_ray, hug_ray_soa, hug_scene_stats,
 };
-use hug::capi::{hug_calls, hug_profile, hug_scene_lengths, hug_voxel_histogram};
+use hug::capi::{
+    hug_calls, hug_nearest, hug_probe, hug_profile, hug_scene_lengths, hug_voxel_histogram,
+};
 use std::mem::{align_of, offset_of, size_of};
 use std::process::Command;
 
@@ -44,7 +46,7 @@ fn expected() -> Vec<String> {
         hug_ray { org, tmin, dir, tmax, mask, flags, skip_geom, skip_prim }
         hug_hit { t, u, v, ng, geom, prim, inst, reserved }
         hug_counters { grids, voxels, tests, hits }
-        hug_ray_soa { struct_size, org, dir, tmin, tmax, mask, skip_geom, skip_prim }
+        hug_ray_soa { struct_size, org, dir, tmin, tmax, mask, skip_geom, skip_prim, flags }
         hug_hit_soa { struct_size, t, u, v, ng, geom, prim, inst }
         hug_level_stats {
             objects, grids, voxels, object_voxels, grid_voxels, object_refs, grid_refs, volume,
@@ -70,6 +72,8 @@ fn expected() -> Vec<String> {
         }
         hug_calls { grids, voxels, tests, hits, passed_1, passed_2 }
         hug_profile { total, level }
+        hug_probe { org, radius, mask, flags, skip_geom, skip_prim }
+        hug_nearest { distance, u, v, point, geom, prim, inst, reserved }
     }
 }
 
@@ -89,6 +93,8 @@ fn c_and_rust_agree() {
 fn rays_and_hits_keep_their_sizes() {
     assert_eq!((size_of::<hug_ray>(), align_of::<hug_ray>()), (48, 4));
     assert_eq!((size_of::<hug_hit>(), align_of::<hug_hit>()), (40, 4));
+    assert_eq!((size_of::<hug_probe>(), align_of::<hug_probe>()), (32, 4));
+    assert_eq!((size_of::<hug_nearest>(), align_of::<hug_nearest>()), (40, 4));
     let (ray, hit) = (size_of::<hug::Ray>(), size_of::<hug::Hit>());
     assert_eq!((ray, hit), (48, 40));
 }

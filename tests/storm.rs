@@ -7,7 +7,7 @@ mod common;
 use common::aligned::Aligned;
 use common::layout::*;
 use common::{adversarial_rays, build, configurations, ray, soups};
-use hug::{Counters, Hit, Isa, Ray, Stats, View, force_isa};
+use hug::{Counters, Hit, Isa, Probe, Ray, Stats, View, force_isa};
 use hug_kit::random::Random;
 use hug_kit::soups as kit;
 
@@ -23,6 +23,12 @@ fn query(view: &View<'_>, rays: &[Ray]) {
         let inside = |t: f32| r.tmin <= t && t <= r.tmax;
         assert!(!hit.is_hit() || inside(hit.t), "{r:?} hit {hit:?}");
         let _ = (view.intersect(r), view.occluded(r), view.intersect_brute(r));
+        let all = view.hits(r).fold(r.tmin, |before, hit| {
+            assert!(before <= hit.t && inside(hit.t), "{r:?} hit {hit:?} after {before}");
+            hit.t
+        });
+        let _ = view.closest_point(&Probe::new(r.org, all));
+        let _ = view.closest_point(&Probe::new(r.org, f32::INFINITY));
     }
     let _ = (Stats::of(view), view.bounds(), view.bytes().len());
     // As many as are in flight, and some that take their places; on any instruction set, as
@@ -159,6 +165,7 @@ fn towers_of_grids() {
                 let mut counters = Counters::default();
                 let _ = view.intersect_counted(r, &mut counters);
                 let (entered, size) = (counters.grids, bytes.len() as u64);
+                let _ = view.closest_point(&Probe::new(r.org, f32::INFINITY));
                 assert!(
                     entered <= size,
                     "{levels} levels of {width}: {entered} grids, {size} bytes"

@@ -30,5 +30,8 @@ void check_streams(void);
 void check_statistics(void);
 void check_distributions(void);
 void check_profiles(void);
+void check_hits(void);
+void check_filtered(void);
+void check_nearest(void);
 
 #endif

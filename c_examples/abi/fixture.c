@@ -92,3 +92,17 @@ hug_scene *fixture_build(const hug_build_desc *desc)
     }
     return scene;
 }
+
+void fixture_structures(void (*check)(const hug_scene *scene))
+{
+    hug_structure structure;
+    for (structure = HUG_STRUCTURE_AUTO; structure <= HUG_STRUCTURE_HUG; structure++) {
+        fixture f;
+        hug_scene *scene;
+        fixture_make(&f);
+        f.desc.structure = structure;
+        scene = fixture_build(&f.desc);
+        check(scene);
+        hug_free(scene);
+    }
+}

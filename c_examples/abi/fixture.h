@@ -36,4 +36,7 @@ void *fixture_memory(size_t size);
 /* A built scene, by the default allocator. Ends the program if that fails. */
 hug_scene *fixture_build(const hug_build_desc *desc);
 
+/* Calls check with the fixture's scene in every structure, one after the other. */
+void fixture_structures(void (*check)(const hug_scene *scene));
+
 #endif

@@ -66,17 +66,13 @@ static void check_bad_pointers(const hug_scene *scene)
     REQUIRE(profile.total.voxels == UINT64_MAX && profile.level[0].tests == UINT64_MAX);
 }
 
+static void check_structure(const hug_scene *scene)
+{
+    check_numbers(scene);
+    check_bad_pointers(scene);
+}
+
 void check_profiles(void)
 {
-    hug_structure structure;
-    for (structure = HUG_STRUCTURE_UNIFORM; structure <= HUG_STRUCTURE_HUG; structure++) {
-        fixture f;
-        hug_scene *scene;
-        fixture_make(&f);
-        f.desc.structure = structure;
-        scene = fixture_build(&f.desc);
-        check_numbers(scene);
-        check_bad_pointers(scene);
-        hug_free(scene);
-    }
+    fixture_structures(check_structure);
 }

@@ -188,21 +188,17 @@ static void check_counters(const hug_scene *scene)
     REQUIRE(twice.voxels == UINT64_MAX); /* full, not wrapped */
 }
 
+static void check_structure(const hug_scene *scene)
+{
+    check_nulls(scene);
+    check_strides(scene);
+    check_misses(scene);
+    check_range(scene);
+    check_counters(scene);
+    check_budgets(scene);
+}
+
 void check_queries(void)
 {
-    hug_structure structure;
-    for (structure = HUG_STRUCTURE_AUTO; structure <= HUG_STRUCTURE_HUG; structure++) {
-        fixture f;
-        hug_scene *scene;
-        fixture_make(&f);
-        f.desc.structure = structure;
-        scene = fixture_build(&f.desc);
-        check_nulls(scene);
-        check_strides(scene);
-        check_misses(scene);
-        check_range(scene);
-        check_counters(scene);
-        check_budgets(scene);
-        hug_free(scene);
-    }
+    fixture_structures(check_structure);
 }

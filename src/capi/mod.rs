@@ -10,14 +10,17 @@
 // The comments are C documentation: brackets are subscripts there.
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
 
+mod all;
 mod budget;
 mod build;
 mod callbacks;
 mod desc;
 mod distribution;
 mod fault;
+mod filter;
 mod guard;
 mod memory;
+mod nearest;
 mod options;
 mod profile;
 mod query;
@@ -29,10 +32,13 @@ mod stream;
 mod stream_soa;
 pub mod types;
 
+pub use all::*;
 pub use budget::*;
 pub use build::*;
 pub use distribution::*;
 pub use fault::*;
+pub use filter::*;
+pub use nearest::*;
 pub use profile::*;
 pub use query::*;
 pub use rebuild::*;

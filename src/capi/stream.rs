@@ -7,7 +7,7 @@ use crate::trace::{Count, Counters, Port, Uncounted};
 use crate::{Hit, Ray};
 
 /// Rays and answers at strides in bytes.
-struct Strided<A> {
+pub(super) struct Strided<A> {
     rays: *const hug_ray,
     ray_stride: usize,
     answers: *mut A,
@@ -16,7 +16,12 @@ struct Strided<A> {
 
 impl<A> Strided<A> {
     /// Strides of 0 mean packed.
-    fn new(rays: *const hug_ray, ray_stride: usize, answers: *mut A, stride: usize) -> Self {
+    pub(super) fn new(
+        rays: *const hug_ray,
+        ray_stride: usize,
+        answers: *mut A,
+        stride: usize,
+    ) -> Self {
         let ray_stride = if ray_stride == 0 { size_of::<hug_ray>() } else { ray_stride };
         let answer_stride = if stride == 0 { size_of::<A>() } else { stride };
         Self { rays, ray_stride, answers, answer_stride }

@@ -1,5 +1,7 @@
 //! Queries of many rays, an array for each component.
 
+use core::mem::offset_of;
+
 use super::build::hug_scene;
 use super::guard::guard;
 use super::query::view;
@@ -41,7 +43,7 @@ impl<A> Arrays<A> {
     /// As [`sized::read`].
     unsafe fn new(rays: *const hug_ray_soa, answers: A) -> Result<Self, Error> {
         // SAFETY: by the caller; zeros are a value of every field.
-        let rays = unsafe { sized::read(rays, size_of::<hug_ray_soa>()) }?;
+        let rays = unsafe { sized::read(rays, offset_of!(hug_ray_soa, flags)) }?;
         let all = rays.org.iter().chain(&rays.dir).all(|p| !p.is_null());
         if all { Ok(Self { rays, answers }) } else { Err(Error::Null) }
     }
@@ -56,7 +58,7 @@ impl<A> Arrays<A> {
                 dir: [at(r.dir[0], i, 0.0), at(r.dir[1], i, 0.0), at(r.dir[2], i, 0.0)],
                 tmax: at(r.tmax, i, f32::INFINITY),
                 mask: at(r.mask, i, u32::MAX),
-                flags: 0,
+                flags: at(r.flags, i, 0),
                 skip_geom: at(r.skip_geom, i, NONE),
                 skip_prim: at(r.skip_prim, i, NONE),
             }

@@ -240,6 +240,13 @@ pub struct hug_build_desc {
     pub progress_user: *mut c_void,
 }
 
+/// Ray flag: passes through triangles that it meets from behind. The front of a triangle
+/// is where its normal points (hug_hit's ng) and its corners go round counterclockwise; a
+/// ray comes from there if the exact dot product of dir and ng is negative.
+pub const HUG_RAY_CULL_BACK: u32 = 1;
+/// Ray flag: passes through triangles that it meets from the front.
+pub const HUG_RAY_CULL_FRONT: u32 = 2;
+
 /// A ray org + t dir, tmin <= t <= tmax. 48 bytes, aligned to 4.
 ///
 /// dir need not be normalised; t is in units of its length. tmin and tmax may
@@ -258,7 +265,7 @@ pub struct hug_ray {
     pub tmax: f32,
     /// A geometry is met only if its mask shares a bit with this one.
     pub mask: u32,
-    /// Reserved, must be 0.
+    /// HUG_RAY_* flags. Other bits are reserved and must be 0; they change nothing.
     pub flags: u32,
     /// Geometry of the one triangle that the ray passes through, or HUG_NONE.
     pub skip_geom: u32,
@@ -313,6 +320,8 @@ pub struct hug_ray_soa {
     pub skip_geom: *const u32,
     /// The triangle to pass through; HUG_NONE.
     pub skip_prim: *const u32,
+    /// HUG_RAY_* flags; 0.
+    pub flags: *const u32,
 }
 
 /// Hits with an array for each component, as in hug_hit. Set struct_size; what has

@@ -3,19 +3,18 @@
 //! Coordinates are `f32`, so on a common power of two they are integers of at
 //! most 277 bits; a difference has 278, a determinant of three rows at most
 //! 840, and rounding a quotient takes 26 more: 14 limbs of 64 bits hold anything.
+//! The square of a determinant over that of a normal, and rounding its root, take 1730.
 
 use core::cmp::Ordering;
 
-const LIMBS: usize = 14;
-
 #[derive(Clone, Copy)]
-pub struct Int {
+pub struct Int<const LIMBS: usize> {
     negative: bool,
     len: usize,
     limb: [u64; LIMBS],
 }
 
-impl Int {
+impl<const LIMBS: usize> Int<LIMBS> {
     pub const ZERO: Self = Self { negative: false, len: 0, limb: [0; LIMBS] };
 
     /// `value * 2^shift`.
@@ -159,7 +158,7 @@ impl Int {
 
 #[cfg(test)]
 mod tests {
-    use super::Int;
+    type Int = super::Int<14>;
 
     fn int(value: i128) -> Int {
         let high = Int::shifted((value >> 62) as i64, 62);

@@ -13,6 +13,7 @@ mod narrow;
 mod quad;
 mod round;
 mod span;
+pub mod spot;
 mod wide;
 
 use round::{Magnitude, nearest};
@@ -79,6 +80,11 @@ impl Case {
         } else {
             self.t_inside_in::<wide::Edges>()
         }
+    }
+
+    /// Whether the ray comes from the side to which the triangle's normal points.
+    pub fn is_front(&self) -> bool {
+        wide::Edges::new(self).det().signum() > 0
     }
 
     /// The rounded weights of the second and the third corner.

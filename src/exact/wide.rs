@@ -1,11 +1,14 @@
 //! Meetings of rays and triangles whose numbers may be any `f32`.
 
-use super::int::Int;
+use super::int;
 use super::round;
 use super::span::Span;
 use super::{Case, Meeting, Signed};
 
 use core::cmp::Ordering;
+
+/// Wide enough for all that hits need.
+type Int = int::Int<14>;
 
 /// A vector of integers times a power of two.
 type Vector = [Int; 3];
@@ -76,11 +79,11 @@ pub fn degenerate(corners: &[[f32; 3]; 3], place: Span) -> bool {
     cross(&sub(&b, &a), &sub(&c, &a)).iter().all(|n| n.signum() == 0)
 }
 
-impl Signed for Int {
+impl<const LIMBS: usize> Signed for int::Int<LIMBS> {
     type Magnitude = Self;
 
     fn signum(&self) -> i32 {
-        Int::signum(self)
+        Self::signum(self)
     }
 
     fn magnitude(&self) -> Self {
@@ -88,21 +91,21 @@ impl Signed for Int {
     }
 }
 
-impl round::Magnitude for Int {
+impl<const LIMBS: usize> round::Magnitude for int::Int<LIMBS> {
     fn bits(&self) -> u32 {
-        Int::bits(self)
+        Self::bits(self)
     }
 
     fn leading(&self) -> u64 {
-        Int::leading(self)
+        Self::leading(self)
     }
 
     fn shl(&self, by: u32) -> Self {
-        Int::shl(*self, by)
+        Self::shl(*self, by)
     }
 
     fn times(&self, by: u32) -> Self {
-        Int::times(self, by)
+        Self::times(self, by)
     }
 
     fn compare(&self, other: &Self) -> Ordering {

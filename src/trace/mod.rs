@@ -4,13 +4,18 @@
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
 //! `profile` what is counted, `budget` ends a walk early, `work` bounds what one can do.
+//! `all` and `filter` are walks with other ends, `alone` is about one triangle.
 
+mod all;
+mod alone;
 mod bounds;
 mod budget;
 mod counters;
 mod course;
 mod decided;
+mod filter;
 mod local;
+mod nearest;
 mod profile;
 mod query;
 mod rebase;
@@ -20,10 +25,14 @@ mod stream;
 mod walk;
 mod work;
 
+pub use all::{Found, Hits};
+pub use alone::intersect_triangle;
 pub use budget::Truncated;
 pub use counters::Counters;
 #[cfg(feature = "capi")]
 pub(crate) use counters::{Count, Uncounted};
+#[cfg(feature = "capi")]
+pub(crate) use filter::Flags;
 pub use profile::{Calls, Profile};
 #[cfg(feature = "capi")]
 pub(crate) use stream::Port;

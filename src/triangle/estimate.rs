@@ -120,6 +120,13 @@ impl Estimate {
         }
     }
 
+    /// Whether the line comes from the side to which `e1 x e2` points, if it is inside:
+    /// then `det` is well beyond its error.
+    #[inline(always)]
+    pub fn is_front(&self) -> bool {
+        self.det > 0.0
+    }
+
     /// `t`, if the sides are not unsure.
     #[inline(always)]
     pub fn t(&self) -> Range {

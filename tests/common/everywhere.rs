@@ -25,6 +25,12 @@ impl Everywhere {
             let any = view.occluded_counted(ray, &mut counters);
             assert_eq!(any, expected.is_hit(), "{name}, counted: {ray:?}");
             assert_eq!(view.occluded(ray), expected.is_hit(), "{name}: {ray:?}");
+            let accepted = view.intersect_filtered(ray, |_| true);
+            assert_same(&accepted, &expected, ray, &format!("{name}, filtered"));
+            let first = view.hits(ray).next().unwrap_or(Hit::miss(ray.tmax));
+            assert_same(&first, &expected, ray, &format!("{name}, the first of all"));
+            let neither = ray.with_flags(Ray::CULL_BACK | Ray::CULL_FRONT);
+            assert!(!view.intersect(&neither).is_hit(), "{name}: {neither:?}");
         }
         expected
     }

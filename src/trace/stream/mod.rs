@@ -86,9 +86,9 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
 }
 
 /// Rays and answers in slices.
-struct Slices<'s, Out> {
-    rays: &'s [Ray],
-    answers: &'s mut [Out],
+pub(super) struct Slices<'s, Out> {
+    pub rays: &'s [Ray],
+    pub answers: &'s mut [Out],
 }
 
 impl<Out> Port<Out> for Slices<'_, Out> {

@@ -4,6 +4,7 @@ use super::filter::certainly_misses;
 use super::hit::is_query;
 use super::{ExactHit, Triangle, hit};
 use crate::rays::Ray;
+use core::cmp::Ordering;
 
 /// A hit and whose it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +48,13 @@ pub fn closest(
     triangles: impl IntoIterator<Item = (u32, u32, Triangle)>,
 ) -> Option<Closest> {
     hits(ray, triangles).reduce(|best, next| if next.before(&best) { next } else { best })
+}
+
+/// Every hit, in the order of [`closest`].
+pub fn all(ray: &Ray, triangles: impl IntoIterator<Item = (u32, u32, Triangle)>) -> Vec<Closest> {
+    let mut all: Vec<_> = hits(ray, triangles).collect();
+    all.sort_by(|a, b| if a.before(b) { Ordering::Less } else { Ordering::Greater });
+    all
 }
 
 /// Whether there is any hit.

@@ -17,6 +17,8 @@ pub struct ExactHit {
     pub t: f32,
     pub u: f32,
     pub v: f32,
+    /// Whether the ray comes from the side of the normal (v1 - v0) x (v2 - v0).
+    pub front: bool,
 }
 
 /// Whether the query itself can hit anything: everything finite but tmin and tmax, the direction
@@ -48,6 +50,8 @@ pub fn hit(ray: &Ray, tri: &Triangle) -> Option<ExactHit> {
     let along = cross(&from_v0, &edge1);
     let mut v = dot(&dir, &along);
     let mut t = dot(&edge2, &along);
+    // edge1 . (dir x edge2) is -dir . (edge1 x edge2).
+    let front = det.is_positive();
     if det.is_negative() {
         (det, u, v, t) = (-det, -u, -v, -t);
     }
@@ -72,5 +76,6 @@ pub fn hit(ray: &Ray, tri: &Triangle) -> Option<ExactHit> {
         exact_t,
         exact_u,
         exact_v,
+        front,
     })
 }

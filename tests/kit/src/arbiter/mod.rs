@@ -11,12 +11,14 @@ mod dyadic;
 mod filter;
 mod hit;
 mod judge;
+mod nearest;
 mod round;
 
-pub use closest::{Closest, closest, occluded};
+pub use closest::{Closest, all, closest, occluded};
 pub use hit::{ExactHit, hit};
 pub use judge::{Claim, Verdict, judge, judge_occluded};
-pub use round::round_to_f32;
+pub use nearest::{Nearest, nearest};
+pub use round::{root_to_f32, round_to_f32};
 
 /// The corners v0, v1, v2.
 pub type Triangle = [[f32; 3]; 3];

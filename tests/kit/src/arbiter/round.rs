@@ -49,3 +49,20 @@ fn floor_log2(numer: &BigUint, denom: &BigUint) -> i64 {
     };
     if reaches { e } else { e - 1 }
 }
+
+/// The float nearest to the root of `square`, which is not negative: as [`round_to_f32`].
+pub fn root_to_f32(square: &BigRational) -> f32 {
+    // Twice as many digits as a float's middle needs, then one that says whether there are more.
+    let digits = 60;
+    let (numer, denom) = (square.numer().magnitude(), square.denom().magnitude());
+    let scale = (digits - square_log2(square)).max(0) as u64;
+    let floor = ((numer << (2 * scale)) / denom).sqrt();
+    let rest = &floor * &floor * denom != numer << (2 * scale);
+    let root = (floor << 1u8) + BigUint::from(u8::from(rest));
+    round_to_f32(&BigRational::new(root.into(), (BigUint::from(1u8) << (scale + 1)).into()))
+}
+
+/// About the logarithm of the root.
+fn square_log2(square: &BigRational) -> i64 {
+    (square.numer().bits() as i64 - square.denom().bits() as i64) / 2
+}
