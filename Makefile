@@ -33,7 +33,7 @@ SOVERSION := $(MAJOR)$(if $(filter 0,$(MAJOR)),.$(MINOR))
 SONAME := libhug.so.$(SOVERSION)
 SHARED := libhug.so.$(VERSION)
 
-HEADERS := hug.h hug.hpp hug_builder.hpp hug_embree.h hug_embree_packets.h
+HEADERS := hug.h hug.hpp hug_builder.hpp hug_queries.hpp hug_embree.h hug_embree_packets.h
 CMAKE_FILES := hug-config.cmake hug-config-version.cmake
 
 .PHONY: all build install uninstall

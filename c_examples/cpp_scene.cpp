@@ -89,6 +89,25 @@ void check_errors()
     require(cancelled.code() == HUG_ERROR_CANCELLED, "the build was not cancelled");
 }
 
+// What hug_queries.hpp wraps.
+void check_more_queries(hug::scene_view scene)
+{
+    std::size_t hits = 0;
+    for (const hug::ray &ray : rays_from_above()) {
+        hug::hit first = scene.intersect(ray), room[4];
+        auto all = hug::intersect_all(scene, ray, room);
+        require(all && (all->count > 0) == hug::is_hit(first), "all hits and one differ");
+        auto others = [&](std::size_t, const hug::ray &, const hug::hit &at) {
+            return at.prim != first.prim;
+        };
+        hug::hit next = hug::intersect_filtered(scene, ray, others);
+        require(!hug::is_hit(first) || next.prim != first.prim, "a rejected hit was taken");
+        hug::for_each_hit(scene, ray, [&](const hug::hit &) { return hits++, true; });
+    }
+    hug::nearest near = hug::closest_point(scene, hug::make_probe({3, 3, 9}));
+    require(hits > 0 && hug::is_found(near), "nothing is near");
+}
+
 // Same bytes with threads and without; they can be opened where they are.
 void check_building(const mesh &of)
 {
@@ -112,6 +131,7 @@ void check_building(const mesh &of)
     require(a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size()) == 0,
             "threads changed the scene");
     check_queries(hug::scene_view::open(a).value());
+    check_more_queries(alone);
 }
 
 void check_owning(const mesh &first, const mesh &second)

@@ -255,5 +255,6 @@ private:
 } // namespace hug
 
 #include "hug_builder.hpp"
+#include "hug_queries.hpp"
 
 #endif
