@@ -91,9 +91,10 @@ impl round::Magnitude for Magnitude {
 
 #[cfg(test)]
 mod tests {
-    use super::super::int::Int;
     use super::super::round::Magnitude as _;
     use super::Quad;
+
+    type Int = super::super::int::Int<14>;
 
     /// The same number as a wide integer, from its top 64 bits down.
     fn wide(n: &super::Magnitude) -> Int {

@@ -109,7 +109,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         self.visit();
         self.step();
         self.look();
-        self.meet();
+        self.meet_apart();
         self.settle();
     }
 
@@ -232,8 +232,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         self.lanes.run(Split(self, slot))
     }
 
-    /// [`Rounds::meet`], likewise.
-    #[cold]
+    /// [`Rounds::meet`], likewise, and so that there is one of it.
     #[inline(never)]
     fn meet_apart(&mut self) {
         self.lanes.run(Meet(self));
