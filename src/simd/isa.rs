@@ -126,6 +126,6 @@ pub(crate) fn dispatch<K: AnyKernel>(kernel: K) -> K::Out {
     if set == Isa::Neon as u8 {
         return Neon.run(On(kernel));
     }
-    let _ = set;
+    let _ = (set, K::BEST);
     Portable.run(On(kernel))
 }
