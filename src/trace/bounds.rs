@@ -28,12 +28,12 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Of the list of `len` references at `place`, those from number `at` on and before
-    /// `end`, [`BATCH`] at most.
+    /// Of the list of `len` references at `place`, those from number `at` on, [`BATCH`] at
+    /// most.
     #[inline(always)]
-    pub fn new(place: u32, len: u32, at: u32, end: u32) -> Self {
+    pub fn new(place: u32, len: u32, at: u32) -> Self {
         let refs = place + LIST_HEAD as u32 + at;
-        Self { refs, boxes: refs + len, len: (end - at).min(BATCH as u32) }
+        Self { refs, boxes: refs + len, len: (len - at).min(BATCH as u32) }
     }
 }
 
@@ -50,8 +50,7 @@ impl Few {
     pub const NONE: Self = Self { refs: [0; BATCH + 8], len: 0 };
 
     /// Those of a part of a list whose boxes the ray meets; each where tests are
-    /// counted. Not inlined:
-    /// it needs all registers for itself.
+    /// counted. Not inlined: it needs all registers for itself.
     #[inline(never)]
     pub fn fill<C: Count, L: Lanes>(
         &mut self,

@@ -27,7 +27,7 @@ pub(crate) trait Count: Copy {
     /// Whether it keeps the arguments of calls (`walk::replay`).
     const KEEPS: bool = false;
     /// A level, as what comes back to it keeps it: nothing, if levels are not told apart.
-    type Level: Copy + Default;
+    type Level: Copy;
     fn of(level: u8) -> Self::Level;
     /// What follows happens on this level, until told otherwise.
     fn level(&mut self, _: Self::Level) {}

@@ -221,7 +221,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         let mut few = Few::NONE;
         let mut at = 0;
         while at < len && met != Met::Enough {
-            let part = Part::new(place, len, at, len);
+            let part = Part::new(place, len, at);
             few.fill::<C, L>(l, &sections, part, boxes);
             let (triangles, grids) = few.split();
             met = met.max(self.triangles(triangles));

@@ -3,7 +3,7 @@
 //! A ray alone waits: for memory, for its own last result, and after each branch
 //! that was not foreseen. So some [`SLOTS`](columns::SLOTS) rays are in flight, and all do
 //! the same at the same time (`round`): lanes are rays where they step (`columns`),
-//! boxes where a ray looks at a list (`bounds`), and pairs of any ray and any triangle
+//! boxes where a ray looks at a list (`meet`), and pairs of any ray and any triangle
 //! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
 //! (`ways`), so that few lanes idle, however different the rays are.
 //!
@@ -13,6 +13,7 @@
 
 mod columns;
 mod flight;
+mod meet;
 mod pairs;
 mod round;
 mod ways;

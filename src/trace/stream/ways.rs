@@ -7,6 +7,7 @@ use super::super::sieve::Sieve;
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
 use super::round::Rounds;
+use crate::arena::layout::GRID_BIT;
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
@@ -101,6 +102,16 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         if !self.enter(slot, self.lists.grids[slot], range) {
             self.leave(slot);
         }
+    }
+
+    /// Takes the next grid of a list.
+    #[inline(always)]
+    pub fn next_grid(&mut self, slot: usize) -> u32 {
+        let grids = &mut self.flights[slot].grids;
+        let grid = self.sections.eight(grids.at)[0] & !GRID_BIT;
+        grids.at += 1;
+        self.sections.fetch_grid(self.lanes, grid);
+        grid
     }
 
     /// Leaves a grid: for the next of a list, for the one above, or for good.

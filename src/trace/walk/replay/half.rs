@@ -82,7 +82,7 @@ impl<Q: Query, L: Lanes> Walk<'_, Q, Uncounted, L> {
         let (mut met, mut few, mut at) = (Outcome::Nothing, Few::NONE, 0);
         let len = refs.len() as u32;
         while at < len && met != Outcome::Enough {
-            let part = Part::new(list.place, len, at, len);
+            let part = Part::new(list.place, len, at);
             few.fill::<Uncounted, L>(l, &self.sections, part, &boxes);
             met = met.max(self.triangles(few.split().0));
             at += BATCH as u32;
