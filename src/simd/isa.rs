@@ -95,6 +95,11 @@ pub(crate) trait AnyKernel: Sized {
     /// What is for measuring need not be fast, and would make the library larger.
     const BEST: Isa;
     fn run_on<L: Lanes>(self, lanes: L) -> Self::Out;
+    /// Where none of the other instruction sets is there.
+    #[inline(always)]
+    fn run_portable(self) -> Self::Out {
+        Portable.run(On(self))
+    }
 }
 
 struct On<K>(K);
@@ -127,5 +132,5 @@ pub(crate) fn dispatch<K: AnyKernel>(kernel: K) -> K::Out {
         return Neon.run(On(kernel));
     }
     let _ = (set, K::BEST);
-    Portable.run(On(kernel))
+    kernel.run_portable()
 }

@@ -84,6 +84,13 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
         }
         .run(FRAMES / depth.max(1));
     }
+
+    // On processors that nearly always have a better set, a stream without it need not be
+    // fast, and its kernels would be a twelfth of the library.
+    #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
+    fn run_portable(self) {
+        self.view.one_by_one::<Q, _>(self.port, self.n, &mut Uncounted);
+    }
 }
 
 /// Rays and answers in slices.
@@ -167,11 +174,20 @@ impl View<'_> {
             if self.header().grids.count > 0 && n >= FEW && !C::COUNTS {
                 dispatch(Run::<Q> { view: self, port, n });
             } else {
-                for i in 0..n {
-                    let answer = self.single::<Q, C>(&port.ray(i), counters);
-                    port.put(i, answer);
-                }
+                self.one_by_one::<Q, C>(port, n, counters);
             }
         });
+    }
+
+    fn one_by_one<Q: Query, C: Count>(
+        &self,
+        port: &mut dyn Port<Q::Out>,
+        n: usize,
+        counters: &mut C,
+    ) {
+        for i in 0..n {
+            let answer = self.single::<Q, C>(&port.ray(i), counters);
+            port.put(i, answer);
+        }
     }
 }
