@@ -68,6 +68,18 @@ fn the_samples_have_all_kinds_of_records() {
 }
 
 #[test]
+fn occluders() {
+    for (name, bytes) in samples() {
+        let triangles = count(&bytes, TRIANGLES) as u32;
+        for at in OCCLUDERS.step_by(4) {
+            for wrong in [triangles, u32::MAX - 1] {
+                refused(&name, &bytes, Error::Reference, |b| put32(b, at, wrong));
+            }
+        }
+    }
+}
+
+#[test]
 fn grids() {
     for (name, bytes) in samples() {
         let levels = get32(&bytes, LEVELS);

@@ -11,6 +11,7 @@ use super::layout::{
 use crate::Error;
 use crate::geometry::MAX_TRIANGLES;
 use crate::options::{MAX_COUNT, MAX_LEVELS};
+use crate::ray::NONE;
 
 /// Checks what the header alone can tell: magic, byte order, version, size.
 ///
@@ -61,7 +62,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
         sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Sections)?;
     let placed = expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes;
     require(placed, Error::Sections)?;
-    agree(is_unit(h.unit) && h.reserved == [0; 6] && h.levels as usize <= MAX_LEVELS)?;
+    agree(is_unit(h.unit) && h.reserved == [0; 2] && h.levels as usize <= MAX_LEVELS)?;
     agree((1..=3).contains(&h.structure))?;
     agree(counts.0 < u64::from(GRID_BIT) && counts.3 <= MAX_TRIANGLES as u64)?;
     agree(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
@@ -70,6 +71,8 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let refs: &[u32] = section(bytes, h.refs.offset, counts.2)?;
     let triangles: &[Triangle] = section(bytes, h.triangles.offset, counts.3)?;
     agree(grids.is_empty() == triangles.is_empty())?;
+    let named = |&number: &u32| number == NONE || u64::from(number) < counts.3;
+    require(h.occluders.iter().all(named), Error::Reference)?;
     agree(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
     if grids.is_empty() {
         return agree(voxels.is_empty() && refs.is_empty());

@@ -1,4 +1,4 @@
-//! The bytes of an arena, format version 3.
+//! The bytes of an arena, format version 4.
 //!
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
 //! then the grids, the voxels, the references and the triangles, each section
@@ -9,13 +9,14 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::Error;
 use crate::options::MAX_LEVELS;
+use crate::ray::NONE;
 
 /// Alignment of an arena and of each of its sections, in bytes.
 pub const ALIGN: usize = 64;
 /// The first eight bytes of an arena.
 pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
 /// The format's version; any other is refused.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 /// Reads differently where the byte order is not the writer's.
 pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
@@ -37,6 +38,9 @@ pub const GRID: u32 = 2;
 /// at most 1, in the paper's hierarchy a little more; without a bound, a few
 /// kilobytes of grids that all name each other would keep a ray for hours.
 pub const MAX_WALKS: u64 = 16;
+
+/// Most triangles that queries for any hit look at first.
+pub const OCCLUDERS: usize = 8;
 
 /// Words of a list before its references.
 pub const LIST_HEAD: usize = 2;
@@ -99,7 +103,9 @@ pub struct Header {
     /// A power of two: grids are in coordinates times this, in which the longest
     /// side of the box is about 1, so that walks can use `f32`.
     pub unit: f64,
-    pub reserved: [u64; 6],
+    /// Triangles that queries for any hit look at first, then `u32::MAX`.
+    pub occluders: [u32; OCCLUDERS],
+    pub reserved: [u64; 2],
 }
 
 /// A uniform grid over a box: voxel (x, y, z) is number
@@ -161,6 +167,13 @@ impl Triangle {
 }
 
 impl Header {
+    /// Numbers of the triangles to look at first.
+    #[inline(always)]
+    pub fn occluders(&self) -> &[u32] {
+        let end = self.occluders.iter().position(|&number| number == NONE);
+        &self.occluders[..end.unwrap_or(OCCLUDERS)]
+    }
+
     /// `lower` and `upper`, each with a fourth lane that means nothing.
     #[inline(always)]
     pub fn corners(&self) -> [&[f32; 4]; 2] {

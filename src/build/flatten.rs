@@ -5,13 +5,15 @@
 use super::control::Control;
 use super::draft::Draft;
 use super::frame::{self, unit};
+use super::occluders;
 use super::parts::{self, words};
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD,
-    Section, TAG_SHIFT, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS, OCCLUDERS,
+    PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
+use crate::ray::NONE;
 use crate::simd::fpenv;
 
 /// A finished structure in scratch memory, ready to be written to an arena.
@@ -120,6 +122,7 @@ impl<'s> Plan<'s> {
         if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {
             return Err(Error::Limit);
         }
+        head.occluders = occluders::choose(triangles, &self.draft.soup.bounds);
         head.objects = count_objects(grids, voxels, refs, self.draft.spare(), control)?;
         control.at(1, 1)
     }
@@ -143,7 +146,8 @@ impl<'s> Plan<'s> {
             upper: soup.bounds.hi,
             objects: [0; MAX_LEVELS],
             unit: unit(&soup.bounds),
-            reserved: [0; 6],
+            occluders: [NONE; OCCLUDERS],
+            reserved: [0; 2],
         }
     }
 }

@@ -24,6 +24,7 @@ mod grow;
 mod hierarchy;
 mod hug;
 mod masks;
+mod occluders;
 mod overlap;
 mod parts;
 mod reach;

@@ -125,7 +125,7 @@ impl AnyKernel for All<'_, '_> {
         }
         let mut uncounted = Uncounted;
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, &mut uncounted);
-        walk.run();
+        walk.run(&[]);
         walk.query.found
     }
 }

@@ -10,6 +10,8 @@ use crate::triangle::{Line, Met, normal};
 pub(crate) trait Query: Copy {
     /// What is found.
     type Out;
+    /// Whether any triangle will do, in whatever order they are met.
+    const ANY: bool = false;
     /// What a ray finds that hits nothing.
     fn miss(ray: &Ray) -> Self::Out;
     fn new(ray: &Ray) -> Self;
@@ -89,6 +91,7 @@ pub(crate) struct Any {
 
 impl Query for Any {
     type Out = bool;
+    const ANY: bool = true;
 
     #[inline(always)]
     fn miss(_: &Ray) -> bool {

@@ -26,7 +26,7 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
             return Q::miss(self.ray);
         }
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
-        walk.run();
+        walk.run(self.view.header().occluders());
         walk.query.found(&self.view.sections(), self.ray)
     }
 }

@@ -119,9 +119,13 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         }
     }
 
-    /// Walks the scene from its outermost grid.
+    /// Walks the scene from its outermost grid. What is counted is the paper's walk,
+    /// without a look at `occluders` first.
     #[inline(always)]
-    pub fn run(&mut self) {
+    pub fn run(&mut self, occluders: &[u32]) {
+        if Q::ANY && !C::COUNTS && self.triangles(occluders) == Met::Enough {
+            return;
+        }
         // A t that rounds to tmin may lie below it, one that rounds to tmax above.
         let t0 = -beyond(-self.ray.tmin) * self.course.per_t;
         let t1 = beyond(self.ray.tmax) * self.course.per_t;

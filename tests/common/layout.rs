@@ -21,7 +21,9 @@ pub const SECTIONS: [usize; 4] = [GRIDS, VOXELS, REFS, TRIANGLES];
 /// Sizes of their records.
 pub const RECORDS: [usize; 4] = [64, 4, 4, 48];
 pub const UNIT: usize = 200;
-pub const RESERVED: Range<usize> = 208..256;
+/// Of the triangles that any-hit queries look at first.
+pub const OCCLUDERS: Range<usize> = 208..240;
+pub const RESERVED: Range<usize> = 240..256;
 
 /// Places in a grid: three numbers of eight, four, four and two bytes.
 pub const LO: usize = 0;
@@ -143,7 +145,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
     let mut bytes = Aligned::filled(end, 0);
     bytes[..8].copy_from_slice(b"hug-rt\r\n");
     put32(&mut bytes, BYTE_ORDER, 0x0102_0304);
-    put32(&mut bytes, VERSION, 3);
+    put32(&mut bytes, VERSION, 4);
     put_f64(&mut bytes, UNIT, 1.0);
     put64(&mut bytes, BYTES, end as u64);
     put32(&mut bytes, STRUCTURE, 3);

@@ -1,8 +1,9 @@
 //! Ways between grids, and in and out of the stream.
 
+use super::super::counters::Uncounted;
 use super::super::course::Course;
 use super::super::local::Local;
-use super::super::query::{Query, beyond, usable};
+use super::super::query::{Query, beyond, usable, visible};
 use super::super::sieve::Sieve;
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
@@ -10,6 +11,7 @@ use super::round::Rounds;
 use crate::arena::layout::GRID_BIT;
 use crate::ray::Ray;
 use crate::simd::Lanes;
+use crate::triangle::Line;
 
 /// The frames of a slot.
 #[inline(always)]
@@ -39,15 +41,20 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             let index = self.next;
             self.next += 1;
             let ray = self.port.ray(index);
-            if usable(self.lanes, &ray) && self.begin(slot, ray, index) {
+            if !usable(self.lanes, &ray) {
+                self.port.put(index, Q::miss(&ray));
+                continue;
+            }
+            if self.begin(slot, ray, index) {
                 self.sets.live |= 1 << slot;
                 return;
             }
-            self.port.put(index, Q::miss(&ray));
+            let Flight { ref query, ref ray, .. } = self.flights[slot];
+            self.port.put(index, query.found(&self.sections, ray));
         }
     }
 
-    /// Whether a ray enters the outermost grid.
+    /// Whether a ray enters the outermost grid, and is not answered before.
     #[inline(always)]
     fn begin(&mut self, slot: usize, ray: Ray, index: usize) -> bool {
         let l = self.lanes;
@@ -59,10 +66,36 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         let corners = [l.load_f32(lo), l.load_f32(hi)];
         self.sieves[slot] = Sieve::new(l, &self.sections, &ray, rows, corners);
         self.flights[slot] = Flight::new(ray, index, course);
+        if Q::ANY && self.is_hidden(slot) {
+            return false;
+        }
         self.columns.begin(slot, course.mirror);
         // A t that rounds to tmin may lie below it, one that rounds to tmax above.
         let range = [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
         self.enter(slot, 0, range)
+    }
+
+    /// Whether one of the occluders is all that a ray wants.
+    #[inline(always)]
+    fn is_hidden(&mut self, slot: usize) -> bool {
+        let few = self.view.header().occluders();
+        if few.is_empty() {
+            return false;
+        }
+        let mut left = self.sieves[slot].pass(self.lanes, few);
+        let flight = &mut self.flights[slot];
+        while left != 0 {
+            let number = few[left.trailing_zeros() as usize];
+            left &= left - 1;
+            let triangle = self.sections.triangle(number);
+            let _ = flight.decided.is_due::<Uncounted>(number);
+            if visible(&flight.ray, triangle)
+                && flight.query.meet(&Line::new(&flight.ray), triangle, number) == Some(true)
+            {
+                return true;
+            }
+        }
+        false
     }
 
     /// Whether a ray can be in a grid for tau in `range`; then it is.

@@ -81,6 +81,6 @@ impl<Q: Query, L: Lanes> Kernel<L> for Whole<'_, '_, Q> {
     type Out = ();
     #[inline(always)]
     fn run(mut self, l: L) {
-        Walk::new(l, &self.view, self.ray, self.query, &mut self.recorder).run();
+        Walk::new(l, &self.view, self.ray, self.query, &mut self.recorder).run(&[]);
     }
 }
