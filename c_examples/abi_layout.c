@@ -79,6 +79,8 @@ static void print_build_desc(void)
     FIELD(hug_build_desc, parallel_user);
     FIELD(hug_build_desc, progress);
     FIELD(hug_build_desc, progress_user);
+    FIELD(hug_build_desc, orientation);
+    FIELD(hug_build_desc, turn_below);
 }
 
 static void print_ray(void)

@@ -183,6 +183,11 @@ typedef void (*hug_parallel_for_fn)(void *user, size_t tasks, hug_task_fn task, 
 typedef int32_t (*hug_progress_fn)(void *user, double fraction);
 
 /**
+ * How the boxes of a HUG's clusters lie: HUG_ORIENTATION_*.
+ */
+typedef uint32_t hug_orientation;
+
+/**
  * What to build, from which triangles, in whose memory. Zero it, set
  * struct_size = sizeof(hug_build_desc), geometries and geometry_count; every
  * other field may stay 0 for its default. A program compiled against an older
@@ -303,6 +308,15 @@ typedef struct {
    * Passed to progress.
    */
   void *progress_user;
+  /**
+   * HUG: HUG_ORIENTATION_*, for clusters without grids below.
+   */
+  hug_orientation orientation;
+  /**
+   * HUG: a cluster's box is turned if it has less than this share of the surface of the
+   * aligned one, in (0, 1e6]. 0 means 0.8.
+   */
+  float turn_below;
 } hug_build_desc;
 
 /**
@@ -1083,6 +1097,26 @@ typedef struct {
  * A grid hangs under every higher grid that it intersects, as in the paper.
  */
 #define HUG_HIERARCHY_PAPER 1
+
+/**
+ * Along the axes of the scene.
+ */
+#define HUG_ORIENTATION_ALIGNED 0
+
+/**
+ * Along the principal components of the vertices.
+ */
+#define HUG_ORIENTATION_VERTICES 1
+
+/**
+ * Along those of the convex hull's surface.
+ */
+#define HUG_ORIENTATION_HULL 2
+
+/**
+ * As a direct search for a small surface finds.
+ */
+#define HUG_ORIENTATION_SEARCH 3
 
 /**
  * Between the two others.

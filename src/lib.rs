@@ -54,13 +54,17 @@ pub use arena::View;
 pub use builder::Builder;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
-pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
+pub use options::{
+    Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Orientation, Quality, Structure,
+};
 pub use probe::{Nearest, Probe};
 pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]
 pub use scene::Scene;
 pub use simd::{Isa, force_isa, isa};
-pub use stats::{GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated};
+pub use stats::{
+    GridFrame, GridShape, Lengths, Level, Moments, Occupancy, Shares, Stats, cumulated,
+};
 #[cfg(feature = "replay")]
 #[doc(hidden)]
 pub use trace::replay;

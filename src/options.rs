@@ -60,6 +60,21 @@ pub enum Hierarchy {
     Paper = 1,
 }
 
+/// How the boxes of a HUG's clusters lie (section 7.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Orientation {
+    /// Along the axes of the scene.
+    #[default]
+    Aligned = 0,
+    /// Along the principal components of the vertices.
+    Vertices = 1,
+    /// Along those of the convex hull's surface, by area (Gottschalk et al. 1996).
+    Hull = 2,
+    /// As a direct search for a small surface finds.
+    Search = 3,
+}
+
 /// The filter of lengths of a hierarchy of uniform grids (Definition 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Filter {
@@ -127,6 +142,11 @@ pub struct Options {
     pub hierarchy: Hierarchy,
     /// HUG: a cluster of fewer objects pops up into the world. At least 1.
     pub min_cluster: u32,
+    /// HUG: how the boxes of clusters without grids below lie.
+    pub orientation: Orientation,
+    /// HUG: a cluster's box is turned if it has less than this share of the surface of the
+    /// aligned one. In (0, 1e6]; what it costs to turn rays is worth about 0.8.
+    pub turn_below: f32,
     /// Whether voxels get exit boxes, which let a ray skip what holds nothing
     /// new. Without them the walk is the plain 3-D DDA of the paper's time; the
     /// hits are the same.
@@ -156,6 +176,8 @@ impl Default for Options {
             delta: Delta::Midpoint,
             hierarchy: Hierarchy::Nested,
             min_cluster: 8,
+            orientation: Orientation::Aligned,
+            turn_below: 0.8,
             exit_boxes: true,
             max_refs: 32,
             quality: Quality::Default,
@@ -197,6 +219,8 @@ impl Options {
             && self.connectivity > 0.0
             && self.connectivity <= 1e6
             && self.min_cluster >= 1
+            && self.turn_below > 0.0
+            && self.turn_below <= 1e6
             && (1..=4096).contains(&self.max_refs);
         if ok { Ok(()) } else { Err(Error::InvalidValue) }
     }

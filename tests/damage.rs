@@ -6,7 +6,7 @@ mod common;
 use common::aligned::Aligned;
 use common::layout::*;
 use common::{build, is_damage, structures};
-use hug::{Error, Filter, Hierarchy, Options, Structure, View};
+use hug::{Error, Filter, Hierarchy, Options, Orientation, Structure, View};
 use hug_kit::soups;
 
 /// Arenas of every structure, among them some with many grids below grids.
@@ -14,7 +14,8 @@ fn samples() -> Vec<(String, Aligned)> {
     let deep = Options { maxp: 4, structure: Structure::Recursive, ..Options::default() };
     let hug = Options { structure: Structure::Hug, min_cluster: 1, ..Options::default() };
     let paper = Options { hierarchy: Hierarchy::Paper, filter: Filter::ThreeLevels, ..hug };
-    let more = [("r4", deep), ("u.f2", hug), ("u.f3 paper", paper)];
+    let turned = Options { orientation: Orientation::Search, turn_below: 1e6, ..hug };
+    let more = [("r4", deep), ("u.f2", hug), ("u.f3 paper", paper), ("u.f2 turned", turned)];
     let mut samples = Vec::new();
     for (kind, options) in structures().into_iter().chain(more) {
         for (name, mesh) in [("clumps", soups::clustered(900)), ("tangle", soups::tangle(1, 400))] {
@@ -80,6 +81,29 @@ fn occluders() {
 }
 
 #[test]
+fn frames() {
+    let mut turned = 0;
+    for (name, bytes) in samples() {
+        let grids = (0..count(&bytes, GRIDS))
+            .filter(|&number| bytes[record(&bytes, GRIDS, number) + FLAGS] & TURNED != 0);
+        for at in grids.map(|number| record(&bytes, FRAMES, number)) {
+            turned += 1;
+            for place in (at..at + FRAME).step_by(8) {
+                for wrong in [f64::NAN, f64::INFINITY, 1e300] {
+                    refused(&name, &bytes, Error::Corrupt, |b| put_f64(b, place, wrong));
+                }
+            }
+            // A column of the rotation: longer, and out of its right angle.
+            let x = f64::from_bits(get64(&bytes, at));
+            for wrong in [x + 1e-6, 2.0] {
+                refused(&name, &bytes, Error::Corrupt, |b| put_f64(b, at, wrong));
+            }
+        }
+    }
+    assert!(turned > 10, "{turned}");
+}
+
+#[test]
 fn grids() {
     for (name, bytes) in samples() {
         let levels = get32(&bytes, LEVELS);
@@ -107,8 +131,9 @@ fn grids() {
             for wrong in [levels as u8, u8::MAX] {
                 corrupt(&name, &bytes, |b| b[at + LEVEL] = wrong);
             }
-            for wrong in [2, u8::MAX] {
-                refused(&name, &bytes, Error::Corrupt, |b| b[at + COVERS] = wrong);
+            let turned = if count(&bytes, FRAMES) == 0 || number == 0 { TURNED } else { 4 };
+            for wrong in [turned, 4, u8::MAX] {
+                refused(&name, &bytes, Error::Corrupt, |b| b[at + FLAGS] = wrong);
             }
             let (nan, inf) = (f64::NAN, f64::INFINITY);
             for place in [CELL, INV_CELL] {

@@ -32,6 +32,14 @@ fn fresh() -> Vec<(String, Vec<u8>)> {
         let bytes = build(&mesh(), &options).view().bytes().to_vec();
         all.push((format!("{}.hug", name.to_lowercase()), bytes));
     }
+    let turned = hug::Options {
+        structure: hug::Structure::Hug,
+        orientation: hug::Orientation::Search,
+        turn_below: 1e6,
+        min_cluster: 2,
+        ..hug::Options::default()
+    };
+    all.push(("turned.hug".to_owned(), build(&mesh(), &turned).view().bytes().to_vec()));
     all
 }
 

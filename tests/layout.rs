@@ -42,6 +42,7 @@ fn expected() -> Vec<String> {
             world_alpha, maxp, max_depth, filter_levels, filter_share, filter_thresholds,
             connectivity, delta, hierarchy, min_cluster, max_refs, flags, alloc, free, user,
             quality, reserved, parallel_for, parallel_user, progress, progress_user,
+            orientation, turn_below,
         }
         hug_ray { org, tmin, dir, tmax, mask, flags, skip_geom, skip_prim }
         hug_hit { t, u, v, ng, geom, prim, inst, reserved }

@@ -5,8 +5,9 @@
 //! grids of lower level, whose numbers of entries (`walks`) add up.
 
 use super::layout::{
-    ALIGN, BYTE_ORDER, EMPTY, EXIT_BITS, EXIT_MAX, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD,
-    MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, COVERS, EMPTY, EXIT_BITS, EXIT_MAX, Frame, GRID, GRID_BIT, Grid, Header,
+    LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TURNED, Triangle, VERSION,
+    sections,
 };
 use crate::Error;
 use crate::geometry::MAX_TRIANGLES;
@@ -58,11 +59,11 @@ fn agree(ok: bool) -> Result<(), Error> {
 pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let h = header(bytes)?;
     let counts = (h.grids.count, h.voxels.count, h.refs.count, h.triangles.count);
-    let (expected, size) =
-        sections(counts.0, counts.1, counts.2, counts.3).map_err(|_| Error::Sections)?;
-    let placed = expected == [h.grids, h.voxels, h.refs, h.triangles] && size == h.bytes;
-    require(placed, Error::Sections)?;
-    agree(is_unit(h.unit) && h.reserved == [0; 2] && h.levels as usize <= MAX_LEVELS)?;
+    let (expected, size) = sections(counts.0, counts.1, counts.2, counts.3, h.frames.count)
+        .map_err(|_| Error::Sections)?;
+    let placed = expected == [h.grids, h.voxels, h.refs, h.triangles, h.frames] && size == h.bytes;
+    require(placed && [0, counts.0].contains(&h.frames.count), Error::Sections)?;
+    agree(is_unit(h.unit) && h.levels as usize <= MAX_LEVELS)?;
     agree((1..=3).contains(&h.structure))?;
     agree(counts.0 < u64::from(GRID_BIT) && counts.3 <= MAX_TRIANGLES as u64)?;
     agree(counts.1 <= u64::from(u32::MAX) && counts.2 <= u64::from(u32::MAX))?;
@@ -77,9 +78,12 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     if grids.is_empty() {
         return agree(voxels.is_empty() && refs.is_empty());
     }
+    let frames: &[Frame] = section(bytes, h.frames.offset, h.frames.count)?;
     let (mut next, mut end) = (0u64, 0);
     for (i, grid) in grids.iter().enumerate() {
-        agree(u64::from(grid.first) == next && frame(grid))?;
+        agree(u64::from(grid.first) == next && in_range(grid))?;
+        let turned = grid.flags & TURNED != 0;
+        agree(!turned || i > 0 && frames.get(i).is_some_and(is_rotation))?;
         agree(u32::from(grid.level) < h.levels)?;
         next += grid.voxels();
         agree(next <= counts.1)?;
@@ -99,14 +103,25 @@ fn section<T: bytemuck::Pod>(bytes: &[u8], offset: u64, count: u64) -> Result<&[
 
 /// A box cut into counts in range, of a place and size that `f32` triangles can
 /// have: the walk's arithmetic then stays finite.
-fn frame(grid: &Grid) -> bool {
-    grid.covers <= 1
+fn in_range(grid: &Grid) -> bool {
+    grid.flags & !(COVERS | TURNED) == 0
         && (0..3).all(|k| {
             (1..=MAX_COUNT).contains(&u32::from(grid.n[k]))
                 && (-1e45..=1e45).contains(&grid.lo[k])
                 && (1e-25..=4.0).contains(&grid.cell[k])
                 && (0.999..=1.001).contains(&(grid.cell[k] * grid.inv_cell[k]))
         })
+}
+
+/// A rotation, or a reflection, to well within the walk's error, about a place that `f32`
+/// triangles can have. The fourth lanes are 0.
+fn is_rotation(frame: &Frame) -> bool {
+    let a = &frame.axes;
+    let dot = |i: usize, j: usize| (0..3).map(|k| a[i][k] * a[j][k]).sum::<f64>();
+    let near = |x: f64, to: f64| (x - to).abs() < 1e-12;
+    let units = (0..3).all(|i| near(dot(i, i), 1.0) && near(dot(i, (i + 1) % 3), 0.0));
+    let place = frame.origin.iter().all(|x| (-1e45..=1e45).contains(x));
+    units && place && frame.origin[3] == 0.0 && a.iter().all(|column| column[3] == 0.0)
 }
 
 /// A power of two, in the range of the reciprocals of boxes of `f32` numbers.

@@ -6,13 +6,13 @@
 //! Consistent means (see `check`): every voxel number of a grid lies in the
 //! voxels' section; every voxel's list lies in the references' section; every
 //! reference names an existing triangle or a later grid; exit boxes lie in their
-//! grids. The accessors below rely on it instead of testing bounds.
+//! grids; if a grid is turned there is a frame for each. The accessors below rely on it instead of testing bounds.
 
 use core::marker::PhantomData;
 
 use super::check;
 use super::layout::{
-    GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
+    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
 use crate::Error;
 use crate::simd::{Lanes, fpenv};
@@ -121,6 +121,7 @@ impl<'a> View<'a> {
             voxels: self.start(&h.voxels),
             refs: self.start(&h.refs),
             triangles: self.start(&h.triangles),
+            frames: self.start(&h.frames),
             marker: PhantomData,
         }
     }
@@ -133,6 +134,7 @@ pub(crate) struct Sections<'a> {
     voxels: *const u32,
     refs: *const u32,
     triangles: *const Triangle,
+    frames: *const Frame,
     marker: PhantomData<&'a [u8]>,
 }
 
@@ -142,6 +144,13 @@ impl<'a> Sections<'a> {
     pub fn grid(&self, i: u32) -> &'a Grid {
         // SAFETY: see the module.
         unsafe { &*self.grids.add(i as usize) }
+    }
+
+    /// The frame of grid number `i`, which is turned.
+    #[inline(always)]
+    pub fn frame(&self, i: u32) -> &'a Frame {
+        // SAFETY: see the module.
+        unsafe { &*self.frames.add(i as usize) }
     }
 
     /// Voxel number `i` of some grid.

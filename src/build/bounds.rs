@@ -60,13 +60,9 @@ impl Frame {
         self.word([x[0], y[0], z[0]].map(f64::from), [x[1], y[1], z[1]].map(f64::from))
     }
 
-    /// The box of a grid.
-    pub fn of_grid(&self, grid: &Grid) -> u32 {
-        self.word(grid.lo, [0, 1, 2].map(|k| grid.lo[k] + grid.extent[k]))
-    }
-
+    /// The box of what lies between two corners.
     #[inline(always)]
-    fn word(&self, lo: [f64; 3], hi: [f64; 3]) -> u32 {
+    pub fn word(&self, lo: [f64; 3], hi: [f64; 3]) -> u32 {
         let mut word = 0;
         for k in 0..3 {
             let first = cell(lo[k] * self.scale[k] + self.lower[k]);

@@ -7,8 +7,10 @@ use super::draft::{Crowded, Span};
 use super::footprint::Near;
 use super::frame::Grid;
 use super::overlap::{Range, voxels};
+use super::turn::{Turn, place};
 use crate::Error;
 use crate::arena::layout::{GRID_BIT, Triangle};
+use core::borrow::Borrow;
 
 /// Ends a chain of objects.
 const NONE: u32 = u32::MAX;
@@ -16,6 +18,8 @@ const NONE: u32 = u32::MAX;
 /// A grid while it is filled.
 pub struct Buckets<'a> {
     pub grids: &'a mut [Grid],
+    /// Of all grids, or none.
+    pub turns: &'a [Turn],
     pub number: usize,
     /// Free memory for voxels, then the grid's, and the number of the first.
     pub spans: &'a mut [Span],
@@ -30,10 +34,10 @@ pub struct Buckets<'a> {
 impl<'a> Buckets<'a> {
     /// Notes which voxels objects meet, and how many there are for each voxel. `starts`:
     /// where each object's part of the stream begins, of as many as there is room for.
-    pub fn find<'t>(
+    pub fn find<T: Borrow<Triangle>>(
         &mut self,
         objects: &[u32],
-        triangle: impl Fn(u32) -> &'t Triangle,
+        triangle: impl Fn(u32) -> T,
         starts: &mut [u32],
         (max_refs, crowded): (u32, Crowded),
         control: &mut Control<'_>,
@@ -62,10 +66,10 @@ impl<'a> Buckets<'a> {
                     end += 1;
                 };
                 rows += if object & GRID_BIT == 0 {
-                    voxels(triangle(object), &grid, near.as_ref(), visit)
+                    voxels(triangle(object).borrow(), &grid, near.as_ref(), visit)
                 } else {
-                    let below = &self.grids[(object & !GRID_BIT) as usize];
-                    Range::of_grid(&grid, below).map_or(1, |range| {
+                    let [lo, hi] = place(self.grids, self.turns, (object & !GRID_BIT) as usize);
+                    Range::of(&grid, lo, hi).map_or(1, |range| {
                         range.each(&grid, &mut visit);
                         range.rows()
                     })

@@ -2,17 +2,18 @@
 //!
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
 //! about `64 n + 136 G + 12 L + 20 V + 8 R` bytes, for a hierarchy `41 n` more, and the arena
-//! `48 n + 64 G + 12 V + 8 R`.
+//! `48 n + 64 G + 12 V + 8 R`; where grids may be turned, `144 G` and `128 G` more.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
 use super::cluster::Part;
 use super::draft::Span;
 use super::frame::Grid;
+use super::turn::Turn;
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::{REF_WORDS, Triangle, sections};
-use crate::options::{Options, Structure};
+use crate::options::{Options, Orientation, Structure};
 
 /// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +31,8 @@ pub struct Capacity {
     /// Triangles of which a hierarchy's passes remember things: all or none.
     pub filtered: usize,
     pub grids: usize,
+    /// Grids of which it is known how they are turned: all or none.
+    pub turns: usize,
     pub voxels: usize,
     pub refs: usize,
     /// Entries of the bucket sort's stream: a grid's references and objects.
@@ -68,10 +71,12 @@ impl Capacity {
         }
         let whole = |x: f64| (x.min(f64::from(u32::MAX - 1))) as usize + 1;
         let none = triangles == 0;
+        let turned = hug && options.orientation != Orientation::Aligned;
         Self {
             triangles,
             filtered: if hug { triangles } else { 0 },
             grids: if none { 0 } else { whole(grids) },
+            turns: if none || !turned { 0 } else { whole(grids) },
             voxels: if none { 0 } else { whole(outer + inner) },
             refs: if none { 0 } else { whole(refs) },
             stream: if none { 0 } else { whole((per_object + 1.0) * (n + links)) },
@@ -92,7 +97,8 @@ impl Capacity {
         let heads = self.refs.min(self.voxels).saturating_mul(2);
         let words = self.refs.saturating_mul(REF_WORDS).saturating_add(heads);
         let counts = [self.grids, self.voxels, words, self.triangles].map(|c| c as u64);
-        let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3])?;
+        let frames = self.turns as u64;
+        let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3], frames)?;
         let records = [
             // And their order, and notes of the bucket sort.
             (self.triangles, size_of::<Triangle>() + 4 + 8),
@@ -101,6 +107,7 @@ impl Capacity {
             // The objects of the grid at hand.
             (self.triangles + self.links, 4),
             (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
+            (self.turns, size_of::<Turn>()),
             (self.links, size_of::<[u32; 2]>()),
             (self.voxels, size_of::<Span>()),
             (self.table, 8),

@@ -10,8 +10,9 @@ use super::control::Control;
 use super::frame::Grid;
 use super::gather::Soup;
 use super::scratch::Scratch;
+use super::turn::{Turn, place};
 use crate::Error;
-use crate::arena::layout::{GRID_BIT, Triangle};
+use crate::arena::layout::{GRID_BIT, TURNED, Triangle};
 use bytemuck::{Pod, Zeroable};
 
 /// A voxel's list: `count` references from number `start` on.
@@ -40,6 +41,8 @@ pub struct Draft<'s> {
     /// Room for what the bucket sort notes of each triangle.
     notes: [&'s mut [u32]; 2],
     grid_memory: &'s mut [Grid],
+    /// How turned grids are turned, by number, if there can be such.
+    turns: &'s mut [Turn],
     span_memory: &'s mut [Span],
     ref_memory: &'s mut [u32],
     /// Room for what the bucket sort finds.
@@ -72,6 +75,7 @@ impl<'s> Draft<'s> {
             numbered: 0,
             notes: [note()?, note()?],
             grid_memory: scratch.take(capacity.grids)?,
+            turns: scratch.take(capacity.turns)?,
             span_memory: scratch.take(capacity.voxels)?,
             ref_memory: scratch.take(capacity.refs)?,
             stream: scratch.take(capacity.stream)?,
@@ -98,6 +102,22 @@ impl<'s> Draft<'s> {
 
     pub fn grids_mut(&mut self) -> &mut [Grid] {
         &mut self.grid_memory[..self.grids]
+    }
+
+    /// How grid `number` is turned, if it is.
+    pub fn turn(&self, number: usize) -> Option<&Turn> {
+        self.turns.get(number).filter(|_| self.grids()[number].is_turned())
+    }
+
+    /// Makes a grid without voxels a turned one.
+    pub fn set_turn(&mut self, number: usize, grid: Grid, turn: Turn) {
+        self.grid_memory[number] = Grid { flags: u32::from(TURNED), ..grid };
+        self.turns[number] = turn;
+    }
+
+    /// The lowest and the highest corner of a box around what grid `number` holds.
+    pub fn place(&self, number: usize) -> [[f64; 3]; 2] {
+        place(self.grids(), self.turns, number)
     }
 
     pub fn spans(&self, grid: &Grid) -> &[Span] {
@@ -153,6 +173,7 @@ impl<'s> Draft<'s> {
         let order = &mut self.order[self.numbered..][..triangles];
         let mut buckets = Buckets {
             grids: &mut self.grid_memory[..self.grids],
+            turns: self.turns,
             number,
             spans: &mut self.span_memory[self.spans..],
             first_span: self.spans,
@@ -162,7 +183,13 @@ impl<'s> Draft<'s> {
         };
         let limits = (self.max_refs, crowded);
         let triangle = |object: u32| &soup.triangles[object as usize];
-        buckets.find(objects, triangle, starts, limits, control)?;
+        let turn = self.turns.get(number).filter(|_| buckets.grids[number].is_turned());
+        if let Some(turn) = turn {
+            let local = |object| turn.local(triangle(object));
+            buckets.find(objects, local, starts, limits, control)?;
+        } else {
+            buckets.find(objects, triangle, starts, limits, control)?;
+        }
         buckets.order(starts, next, order);
         let refs = buckets.open()?;
         // The stream has the grids behind the triangle that was last before.
@@ -194,6 +221,7 @@ impl<'s> Draft<'s> {
         let objects = &done[span.start as usize..][..span.count as usize];
         let mut buckets = Buckets {
             grids: &mut self.grid_memory[..self.grids],
+            turns: self.turns,
             number,
             spans: &mut self.span_memory[self.spans..],
             first_span: self.spans,

@@ -9,8 +9,8 @@ use super::occluders;
 use super::parts::{self, words};
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS, OCCLUDERS,
-    PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
+    OCCLUDERS, PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
 use crate::ray::NONE;
@@ -24,7 +24,7 @@ pub struct Plan<'s> {
     /// Whether voxels get exit boxes, and room for the sums that takes.
     pub(super) exits: bool,
     pub(super) table: &'s mut [u64],
-    pub(super) sections: [Section; 4],
+    pub(super) sections: [Section; 5],
     pub(super) bytes: usize,
 }
 
@@ -41,12 +41,14 @@ impl<'s> Plan<'s> {
         let refs: u64 = grids.iter().map(words).sum();
         let levels = grids.iter().map(|g| g.level + 1).max().unwrap_or(0);
         let triangles = draft.triangles().len();
+        let frames = if grids.iter().any(frame::Grid::is_turned) { grids.len() } else { 0 };
         debug_assert_eq!(triangles, draft.soup.triangles.len(), "a triangle is in no grid");
         // A list's place must fit a voxel's payload.
         if refs > u64::from(PAYLOAD) {
             return Err(Error::Limit);
         }
-        let (sections, bytes) = sections(grids.len() as u64, voxels, refs, triangles as u64)?;
+        let (sections, bytes) =
+            sections(grids.len() as u64, voxels, refs, triangles as u64, frames as u64)?;
         let bytes = bytes as usize;
         Ok(Self { draft, structure, levels, exits, table, sections, bytes })
     }
@@ -101,6 +103,7 @@ impl<'s> Plan<'s> {
         let refs: &mut [u32] = bytemuck::cast_slice_mut(section(2, 4));
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
+        let frames: &mut [Frame] = bytemuck::cast_slice_mut(section(4, size_of::<Frame>()));
         rest.fill(0);
         control.pass(0.5)?;
         let total = triangles.len();
@@ -114,6 +117,9 @@ impl<'s> Plan<'s> {
         for (grid, from) in grids.iter_mut().zip(self.draft.grids()) {
             *grid = frame::Grid { first, ..*from }.record(unit);
             first += from.voxels() as u32;
+        }
+        for (number, frame) in frames.iter_mut().enumerate() {
+            *frame = self.draft.turn(number).map(|turn| turn.record(unit)).unwrap_or_default();
         }
         let table = if self.exits { &mut *self.table } else { &mut [] };
         parts::write(&self.draft, triangles, table, (voxels, refs), control)?;
@@ -147,7 +153,7 @@ impl<'s> Plan<'s> {
             objects: [0; MAX_LEVELS],
             unit: unit(&soup.bounds),
             occluders: [NONE; OCCLUDERS],
-            reserved: [0; 2],
+            frames: self.sections[4],
         }
     }
 }

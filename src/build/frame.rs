@@ -34,8 +34,9 @@ pub struct Grid {
     pub level: u32,
     /// Number of the first voxel.
     pub first: u32,
-    /// 1 if made by [`Grid::inside`].
-    pub covers: u32,
+    /// [`layout::COVERS`] if made by [`Grid::inside`]; [`layout::TURNED`] if in coordinates
+    /// of its own (`turn`).
+    pub flags: u32,
     /// No side of a voxel is smaller: [`least_cell`] of the scene.
     pub least: f64,
 }
@@ -69,7 +70,8 @@ impl Grid {
     pub(super) fn inside(&self, at: [u32; 3], level: u32) -> Self {
         let lo = |k: usize| self.lo[k] + (f64::from(at[k]) - VOXEL_MARGIN) * self.cell[k];
         let side = self.cell.map(|c| c * (1.0 + 2.0 * VOXEL_MARGIN));
-        Self { lo: core::array::from_fn(lo), level, covers: 1, ..*self }.cut(side, [1; 3])
+        Self { lo: core::array::from_fn(lo), level, flags: u32::from(layout::COVERS), ..*self }
+            .cut(side, [1; 3])
     }
 
     /// The same box with the counts that `rule` gives for `objects` objects.
@@ -104,6 +106,11 @@ impl Grid {
         }
     }
 
+    /// Whether it is in coordinates of its own.
+    pub fn is_turned(&self) -> bool {
+        self.flags & u32::from(layout::TURNED) != 0
+    }
+
     /// Number of voxels; no overflow for counts in range.
     pub fn voxels(&self) -> u64 {
         self.n.iter().map(|&n| u64::from(n)).product()
@@ -117,7 +124,7 @@ impl Grid {
             cell: self.cell.map(|x| (x * unit) as f32),
             n: self.n.map(|n| n as u16),
             level: self.level as u8,
-            covers: self.covers as u8,
+            flags: self.flags as u8,
             first: self.first,
             walks: 1,
         }

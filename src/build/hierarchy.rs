@@ -78,6 +78,12 @@ fn intersects(a: &Grid, b: &Grid) -> bool {
     (0..3).all(|k| a.lo[k] <= b.lo[k] + b.extent[k] && b.lo[k] <= a.lo[k] + a.extent[k])
 }
 
+/// The voxels of a grid that another meets; none is turned yet.
+fn reach(grid: &Grid, other: &Grid) -> Option<overlap::Range> {
+    let hi = core::array::from_fn(|k| other.lo[k] + other.extent[k]);
+    overlap::Range::of(grid, other.lo, hi)
+}
+
 fn volume(grid: &Grid) -> f64 {
     grid.extent.iter().product()
 }
@@ -149,14 +155,14 @@ impl Index {
         cover: &mut u32,
     ) -> usize {
         let inner = draft.grids()[child];
-        let Some(range) = overlap::Range::of_grid(&self.grid, &inner) else {
+        let Some(range) = reach(&self.grid, &inner) else {
             return count;
         };
         range.each(&self.grid, |voxel| {
             for &object in draft.list(draft.spans(&self.grid)[voxel]) {
                 let number = object & !GRID_BIT;
                 let outer = &draft.grids()[number as usize];
-                let Some(other) = overlap::Range::of_grid(&self.grid, outer) else {
+                let Some(other) = reach(&self.grid, outer) else {
                     continue;
                 };
                 // A pair shares a block of voxels; its lowest one reports it.

@@ -9,12 +9,15 @@ use super::draft::{Crowded, Draft};
 use super::filter::Levels;
 use super::frame::{Grid, Rule};
 use super::hierarchy::link;
+use super::orient;
 use super::scratch::Scratch;
+use super::turn::Turn;
 use super::uniform::{outer_crowded, outer_rule};
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::GRID_BIT;
-use crate::options::{Delta, Options};
+use crate::options::{Delta, Options, Orientation};
+use glam::DVec3;
 
 /// Builds the hierarchy. `objects` is room for
 /// the triangles' numbers and all links.
@@ -54,6 +57,9 @@ pub fn hug<'s>(
         let (free, parent) = objects.split_at_mut(grids.min(objects.len() / 2));
         link(draft, options.hierarchy, links, free, parent, control)?
     };
+    if options.orientation != Orientation::Aligned {
+        turn(draft, options, ranges, order, &links[..count_links], control)?;
+    }
     control.pass(0.45)?;
     fill(draft, options, ranges, order, (home, world), &links[..count_links], objects, control)
 }
@@ -134,6 +140,58 @@ fn clusters(
         draft.push(Grid::around(&b, level as u32, &draft.soup.bounds))?;
     }
     Ok(())
+}
+
+/// Turns the grids of clusters that have no grids below and are the better for it. What
+/// refers to them has been decided, by their aligned boxes.
+fn turn(
+    draft: &mut Draft<'_>,
+    options: &Options,
+    ranges: &[[u32; 2]],
+    order: &[u32],
+    links: &[[u32; 2]],
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
+    let total = draft.grids().len();
+    let rule = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
+    for number in 1..total {
+        let [start, end] = ranges[number];
+        let members = &order[start as usize..end as usize];
+        control.tick(members.len(), number, total)?;
+        let below = links.partition_point(|link| (link[0] as usize) < number);
+        if links.get(below).is_some_and(|link| link[0] as usize == number) {
+            continue;
+        }
+        if let Some((grid, turn)) = oriented(draft, options, &rule, number, members) {
+            draft.set_turn(number, grid, turn);
+        }
+    }
+    Ok(())
+}
+
+/// The turned grid of a cluster, if it is to have one.
+fn oriented(
+    draft: &Draft<'_>,
+    options: &Options,
+    rule: &Rule,
+    number: usize,
+    members: &[u32],
+) -> Option<(Grid, Turn)> {
+    let (soup, aligned) = (&draft.soup, &draft.grids()[number]);
+    let lower = DVec3::from(aligned.lo);
+    let origin = lower + 0.5 * DVec3::from(aligned.extent);
+    let corners = members.iter().flat_map(|&i| soup.triangles[i as usize].corners());
+    let points = corners.map(|p| DVec3::from(p.map(f64::from)) - origin);
+    let axes = orient::axes(options.orientation, points.clone());
+    let ends = orient::ends(&axes, points.clone());
+    let plain = orient::ends(&[DVec3::X, DVec3::Y, DVec3::Z], points);
+    let share = f64::from(options.turn_below);
+    // No NaN passes, nor what is too small to turn in `f32`.
+    if !(orient::surface(ends) < share * orient::surface(plain)) {
+        return None;
+    }
+    let turn = Turn::new(&axes, origin, aligned);
+    Some((turn.grid(ends, rule, members.len(), aligned.level, &soup.bounds)?, turn))
 }
 
 /// Cuts each grid into voxels and sorts its objects and lower grids into them.

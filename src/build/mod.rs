@@ -25,12 +25,14 @@ mod hierarchy;
 mod hug;
 mod masks;
 mod occluders;
+mod orient;
 mod overlap;
 mod parts;
 mod reach;
 mod recursive;
 mod rows;
 mod scratch;
+mod turn;
 mod uniform;
 
 pub use capacity::Sizes;

@@ -51,11 +51,6 @@ impl Range {
         Self::of(grid, b.lo.map(f64::from), b.hi.map(f64::from))
     }
 
-    pub fn of_grid(grid: &Grid, child: &Grid) -> Option<Self> {
-        let hi = core::array::from_fn(|k| child.lo[k] + child.extent[k]);
-        Self::of(grid, child.lo, hi)
-    }
-
     /// Number of rows of voxels, along x.
     pub fn rows(&self) -> usize {
         let side = |k: usize| (self.hi[k] - self.lo[k]) as usize + 1;

@@ -15,6 +15,7 @@ use crate::Error;
 use crate::arena::layout::{
     EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, REF_WORDS, TAG_SHIFT, Triangle,
 };
+use core::ops::Range;
 
 /// Voxels from which on a grid is cut into slabs.
 const LARGE: u64 = 1 << 15;
@@ -95,13 +96,13 @@ pub fn write(
     let total = voxels.len();
     let input = &Input { draft, triangles };
     let mut free = Free { voxels, refs, first: 0 };
-    let mut grids = draft.grids();
-    while let Some((first, rest)) = grids.split_first() {
-        if first.voxels() < LARGE {
-            grids = runs(input, grids, table, &mut free, control)?;
+    let mut number = 0;
+    while let Some(grid) = draft.grids().get(number) {
+        if grid.voxels() < LARGE {
+            number = runs(input, number, table, &mut free, control)?;
         } else {
-            slabs(input, first, table, &mut free, control)?;
-            grids = rest;
+            slabs(input, number, table, &mut free, control)?;
+            number += 1;
         }
         control.at(total - free.voxels.len(), total)?;
     }
@@ -110,33 +111,35 @@ pub fn write(
 
 /// Small grids, one after the other.
 struct Run<'a> {
-    grids: &'a [Grid],
+    grids: Range<usize>,
     memory: &'a mut [u64],
     output: Output<'a>,
 }
 
-/// Writes some of the small grids that `grids` begins with; returns the rest.
-fn runs<'g>(
+/// Writes some of the small grids from number `next` on; returns the number of the one
+/// behind them.
+fn runs(
     input: &Input<'_>,
-    mut grids: &'g [Grid],
+    mut next: usize,
     table: &mut [u64],
     free: &mut Free<'_>,
     control: &Control<'_>,
-) -> Result<&'g [Grid], Error> {
+) -> Result<usize, Error> {
     let draft = input.draft;
     let size = table.len();
     let mut memory = table;
     let mut runs = [(); TASKS].map(|()| {
-        let (count, words) = run_len(grids, size, memory.len());
-        let (run, rest) = grids.split_at(count);
-        grids = rest;
-        let output = free.take(draft, run.iter().map(|grid| draft.spans(grid)));
-        Run { grids: run, memory: cut(&mut memory, words), output }
+        let (count, words) = run_len(&draft.grids()[next..], size, memory.len());
+        let grids = next..next + count;
+        next = grids.end;
+        let run = draft.grids()[grids.clone()].iter();
+        let output = free.take(draft, run.map(|grid| draft.spans(grid)));
+        Run { grids, memory: cut(&mut memory, words), output }
     });
     let used = runs.iter().take_while(|run| !run.grids.is_empty()).count();
     control.each(&mut runs[..used], |run| {
         let mut at = 0;
-        for grid in run.grids {
+        for grid in &draft.grids()[run.grids.clone()] {
             let spans = draft.spans(grid);
             let words = &mut run.output.voxels[at..at + spans.len()];
             at += spans.len();
@@ -149,11 +152,11 @@ fn runs<'g>(
                 planes(grid, draft, &masks, 0, plane, words);
             }
         }
-        for grid in run.grids {
-            run.output.write(input, grid, 0, input.draft.spans(grid));
+        for number in run.grids.clone() {
+            run.output.write(input, number, 0, draft.spans(&draft.grids()[number]));
         }
     })?;
-    Ok(grids)
+    Ok(next)
 }
 
 /// How many small grids a run takes, and the words of memory that the largest of
@@ -181,12 +184,13 @@ struct Slab<'a> {
 /// Writes a large grid.
 fn slabs(
     input: &Input<'_>,
-    grid: &Grid,
+    number: usize,
     table: &mut [u64],
     free: &mut Free<'_>,
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let draft = input.draft;
+    let grid = &draft.grids()[number];
     let n = sides(grid);
     let exits = memory_len(grid, table.len()) > 0;
     let (memory, masks) = if exits {
@@ -206,9 +210,9 @@ fn slabs(
         let mut memory = &mut *memory;
         let mut next = slabs.by_ref().take(most);
         let mut tasks = [(); TASKS].map(|()| {
-            let (number, spans) = next.next()?;
+            let (slab, spans) = next.next()?;
             let output = free.take(draft, core::iter::once(spans));
-            Some(Slab { first: number * SLAB, spans, memory: cut(&mut memory, plane), output })
+            Some(Slab { first: slab * SLAB, spans, memory: cut(&mut memory, plane), output })
         });
         let used = tasks.iter().flatten().count();
         control.each(&mut tasks[..used], |task| {
@@ -220,7 +224,7 @@ fn slabs(
                 }
                 None => slab.output.voxels.fill(0),
             }
-            slab.output.write(input, grid, slab.first, slab.spans);
+            slab.output.write(input, number, slab.first, slab.spans);
         })?;
         control.tick(grid.voxels() as usize, total - slabs.len(), total)?;
     }
@@ -228,9 +232,10 @@ fn slabs(
 }
 
 impl Output<'_> {
-    /// Writes the next voxels: whole planes of a grid, from number `plane` on. Their
+    /// Writes the next voxels: whole planes of grid `number`, from number `plane` on. Their
     /// words hold exit boxes.
-    fn write(&mut self, input: &Input<'_>, grid: &Grid, plane: usize, spans: &[Span]) {
+    fn write(&mut self, input: &Input<'_>, number: usize, plane: usize, spans: &[Span]) {
+        let (grid, turn) = (&input.draft.grids()[number], input.draft.turn(number));
         let [nx, ny, _] = sides(grid);
         let words = cut(&mut self.voxels, spans.len());
         for (i, (word, &span)) in words.iter_mut().zip(spans).enumerate() {
@@ -248,10 +253,15 @@ impl Output<'_> {
                     refs.copy_from_slice(list);
                     let frame = Frame::new(grid, at, *word);
                     for (to, &reference) in boxes.iter_mut().zip(&*refs) {
-                        *to = if reference & GRID_BIT == 0 {
-                            frame.of_triangle(&input.triangles[reference as usize])
+                        *to = if reference & GRID_BIT != 0 {
+                            let [lo, hi] = input.draft.place((reference & !GRID_BIT) as usize);
+                            frame.word(lo, hi)
                         } else {
-                            frame.of_grid(&input.draft.grids()[(reference & !GRID_BIT) as usize])
+                            let triangle = &input.triangles[reference as usize];
+                            match turn {
+                                None => frame.of_triangle(triangle),
+                                Some(turn) => frame.of_triangle(&turn.local(triangle)),
+                            }
                         };
                     }
                     place

@@ -3,11 +3,13 @@
 use super::desc::slice;
 use super::types::{
     HUG_BUILD_COMPACT, HUG_BUILD_KEEP_SCRATCH, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN,
-    HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER, HUG_QUALITY_FAST, HUG_QUALITY_HIGH,
-    hug_build_desc,
+    HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER, HUG_ORIENTATION_HULL, HUG_ORIENTATION_SEARCH,
+    HUG_ORIENTATION_VERTICES, HUG_QUALITY_FAST, HUG_QUALITY_HIGH, hug_build_desc,
 };
 use crate::Error;
-use crate::options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
+use crate::options::{
+    Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Orientation, Quality, Structure,
+};
 
 fn or<T: PartialEq + Default>(value: T, default: T) -> T {
     if value == T::default() { default } else { value }
@@ -53,6 +55,14 @@ pub unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
             _ => return Err(Error::InvalidValue),
         },
         min_cluster: or(d.min_cluster, normal.min_cluster),
+        orientation: match d.orientation {
+            0 => Orientation::Aligned,
+            HUG_ORIENTATION_VERTICES => Orientation::Vertices,
+            HUG_ORIENTATION_HULL => Orientation::Hull,
+            HUG_ORIENTATION_SEARCH => Orientation::Search,
+            _ => return Err(Error::InvalidValue),
+        },
+        turn_below: or(d.turn_below, normal.turn_below),
         exit_boxes: d.flags & HUG_BUILD_PLAIN_STEPS == 0,
         max_refs: or(d.max_refs, normal.max_refs),
         quality: match d.quality {

@@ -92,6 +92,17 @@ pub const HUG_HIERARCHY_NESTED: hug_hierarchy = 0;
 /// A grid hangs under every higher grid that it intersects, as in the paper.
 pub const HUG_HIERARCHY_PAPER: hug_hierarchy = 1;
 
+/// How the boxes of a HUG's clusters lie: HUG_ORIENTATION_*.
+pub type hug_orientation = u32;
+/// Along the axes of the scene.
+pub const HUG_ORIENTATION_ALIGNED: hug_orientation = 0;
+/// Along the principal components of the vertices.
+pub const HUG_ORIENTATION_VERTICES: hug_orientation = 1;
+/// Along those of the convex hull's surface.
+pub const HUG_ORIENTATION_HULL: hug_orientation = 2;
+/// As a direct search for a small surface finds.
+pub const HUG_ORIENTATION_SEARCH: hug_orientation = 3;
+
 /// How fine a structure AUTO builds: HUG_QUALITY_*.
 pub type hug_quality = u32;
 /// Between the two others.
@@ -238,6 +249,11 @@ pub struct hug_build_desc {
     pub progress: hug_progress_fn,
     /// Passed to progress.
     pub progress_user: *mut c_void,
+    /// HUG: HUG_ORIENTATION_*, for clusters without grids below.
+    pub orientation: hug_orientation,
+    /// HUG: a cluster's box is turned if it has less than this share of the surface of the
+    /// aligned one, in (0, 1e6]. 0 means 0.8.
+    pub turn_below: f32,
 }
 
 /// Ray flag: passes through triangles that it meets from behind. The front of a triangle

@@ -19,7 +19,7 @@ pub use histogram::{Occupancy, cumulated};
 pub use lengths::Lengths;
 pub use level::Level;
 pub use moments::Moments;
-pub use shape::GridShape;
+pub use shape::{GridFrame, GridShape};
 pub use shares::Shares;
 
 use crate::arena::View;

@@ -1,12 +1,13 @@
 //! Grids and voxels one by one, for drawings and for statistics of one's own.
 
 use crate::arena::View;
+use crate::arena::layout::TURNED;
 use crate::simd::fpenv;
 
 /// Where a grid lies and how it is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridShape {
-    /// Lowest corner, in the units of the scene.
+    /// Lowest corner, in the units of the scene; of a turned grid in its own coordinates.
     pub lower: [f64; 3],
     /// Highest corner.
     pub upper: [f64; 3],
@@ -14,6 +15,17 @@ pub struct GridShape {
     pub counts: [u32; 3],
     /// Level; 0 is the deepest.
     pub level: u32,
+    /// The grid's own coordinates, if it is turned (`Options::orientation`).
+    pub frame: Option<GridFrame>,
+}
+
+/// Coordinates of a grid's own: a place p is at `axes[k] . (p - origin)` along axis k.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridFrame {
+    /// Unit vectors at right angles.
+    pub axes: [[f64; 3]; 3],
+    /// In the units of the scene.
+    pub origin: [f64; 3],
 }
 
 impl View<'_> {
@@ -36,6 +48,14 @@ impl View<'_> {
                 upper: [0, 1, 2].map(|k| (grid.lo[k] + side(k)) / unit),
                 counts: grid.n.map(u32::from),
                 level: u32::from(grid.level),
+                frame: (grid.flags & TURNED != 0).then(|| {
+                    let own = self.sections().frame(number as u32);
+                    let axis = |k: usize| [0, 1, 2].map(|i| own.axes[i][k]);
+                    GridFrame {
+                        axes: [axis(0), axis(1), axis(2)],
+                        origin: [0, 1, 2].map(|k| own.origin[k] / unit),
+                    }
+                }),
             }
         }))
     }

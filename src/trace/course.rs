@@ -75,6 +75,11 @@ impl Bounds {
     }
 }
 
+impl Mirror {
+    /// That of a ray that ascends on all axes.
+    pub const ASCENDING: &'static Self = &MIRRORS[0];
+}
+
 /// One for each set of axes, a bit each.
 static MIRRORS: [Mirror; 8] = {
     let mut mirrors = [Mirror { down: [0; 4], near: Bounds::NONE, far: Bounds::NONE }; 8];
@@ -114,6 +119,24 @@ impl<L: Lanes> Course<L> {
             per_t,
             down: l.load_i32(&mirror.down),
             mirror,
+        }
+    }
+
+    /// This course in coordinates in which the ray has direction `dir`; what it says of the
+    /// origin means nothing there.
+    #[inline(always)]
+    pub fn turned(&self, l: L, dir: [f64; 3]) -> Self {
+        let [x, y, z] = dir;
+        let d = l.load_f64(&[x, y, z, 0.0]);
+        let size = l.max_f64(l.abs_f64(d), l.load_f64(&LEAST));
+        let sign = |k: usize| usize::from(dir[k].is_sign_negative()) << k;
+        let mirror = &MIRRORS[sign(0) | sign(1) | sign(2)];
+        Self {
+            dir: l.sign_f64(size, d),
+            speed: l.narrow(l.max_f64(size, l.load_f64(&LEAST_SPEED))),
+            down: l.load_i32(&mirror.down),
+            mirror,
+            ..*self
         }
     }
 

@@ -20,13 +20,29 @@
 
 use super::counters::Count;
 use super::course::{Course, Mirror};
-use super::rebase::rebase;
-use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, EXIT_MAX, Grid};
+use super::rebase::{Goal, Part, rebase};
+use super::turned::{Turned, turned};
+use crate::arena::Sections;
+use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, COVERS, EXIT_MAX, Grid, TURNED};
 use crate::ray::Ray;
 use crate::simd::Lanes;
+use glam::DVec3;
 
 /// Farthest origin, in voxels, that `f64` walks from directly.
 pub(super) const REACH: f64 = (1u64 << 36) as f64;
+
+/// Where a ray is moved to that begins farther away.
+fn goal(grid: &Grid) -> Goal {
+    let cell = DVec3::from_array(grid.cell.map(f64::from));
+    let extent = cell * DVec3::from_array(grid.n.map(f64::from));
+    Goal { lo: grid.lo.into(), extent, reach: cell * REACH }
+}
+
+/// Three lanes, and 0 in the fourth.
+#[inline(always)]
+pub(super) fn load<L: Lanes>(l: L, [x, y, z]: [f64; 3]) -> L::F64 {
+    l.load_f64(&[x, y, z, 0.0])
+}
 
 /// A ray in a grid's own frame.
 #[derive(Clone, Copy)]
@@ -42,8 +58,10 @@ pub(super) struct Local<L: Lanes> {
     pub at: L::I32,
     /// The last voxel along each axis.
     pub last: L::I32,
-    /// The counts on mirrored axes, 0 on others.
+    /// All ones on mirrored axes, and the counts there; 0 on others.
+    down: L::I32,
     back: L::I32,
+    pub mirror: &'static Mirror,
     /// Number of the first voxel, and voxels in a row and in a plane.
     pub first: u32,
     pub nx: u32,
@@ -80,31 +98,42 @@ pub(super) struct Step<L: Lanes> {
 }
 
 impl<L: Lanes> Local<L> {
-    /// The part of the ray in `[t0, t1]`, of tau, that can lie in the grid's box.
+    /// The part of the ray in `[t0, t1]`, of tau, that can lie in a grid's box.
     #[inline(always)]
     pub fn enter(
         l: L,
-        grid: &Grid,
+        sections: &Sections<'_>,
+        number: u32,
         course: &Course<L>,
         ray: &Ray,
-        t0: f64,
-        t1: f64,
+        [t0, t1]: [f64; 2],
     ) -> Option<Self> {
+        let grid = sections.grid(number);
+        if grid.flags & TURNED != 0 {
+            return turned(l, &Turned { grid, frame: sections.frame(number), course, ray, t0, t1 });
+        }
+        let records = grid.lanes();
+        let wide = l.widen(l.load_f32(records.inv_cell));
+        let place = l.mul_f64(l.sub_f64(course.org, l.load_f64(records.lo)), wide);
+        if l.any_beyond(place, REACH) {
+            let moved = rebase(&goal(grid), &course.exact(ray), t0, t1)?;
+            return Self::at(l, grid, course, l.mul_f64(load(l, moved.o), wide), moved.part);
+        }
+        Self::at(l, grid, course, place, Part::new(t0, t1))
+    }
+
+    /// The part of the ray in the box of a grid, from a point `place` of it: in voxels, from
+    /// the lowest corner.
+    #[inline(always)]
+    pub fn at(l: L, grid: &Grid, course: &Course<L>, place: L::F64, part: Part) -> Option<Self> {
         let records = grid.lanes();
         let inv_cell = l.load_f32(records.inv_cell);
         let counts = l.load_u16(records.n);
         let n = l.i32_to_f64(counts);
-        let wide = l.widen(inv_cell);
-        let mut place = l.mul_f64(l.sub_f64(course.org, l.load_f64(records.lo)), wide);
-        let speed = l.mul_f64(course.dir, wide);
-        let (mut low, mut high, mut base, mut slack) = (t0, t1, 0.0, 0.0);
-        if l.any_beyond(place, REACH) {
-            let moved = rebase(l, grid, &course.exact(ray), t0, t1)?;
-            place = l.mul_f64(moved.o, wide);
-            (low, high, base, slack) = (moved.s0, moved.s1, moved.base, moved.slack);
-        }
+        let speed = l.mul_f64(course.dir, l.widen(inv_cell));
+        let Part { mut low, mut high, base, slack } = part;
         let mut there = l.add_f64(place, l.mul_f64(l.splat_f64(low), speed));
-        if grid.covers == 0 && l.any_outside(there, n) {
+        if grid.flags & COVERS == 0 && l.any_outside(there, n) {
             let pace = l.div_f64(l.splat_f64(1.0), speed);
             let a = l.mul_f64(l.sub_f64(l.splat_f64(0.0), place), pace);
             let b = l.mul_f64(l.sub_f64(n, place), pace);
@@ -129,7 +158,9 @@ impl<L: Lanes> Local<L> {
             zero: l.minus_f32(l.mul_f32(start, pace)),
             at: l.max(l.min(l.truncate(start), last), l.splat_i32(0)),
             last,
+            down: course.down,
             back: l.and(counts, course.down),
+            mirror: course.mirror,
             first: grid.first,
             nx: u32::from(grid.n[0]),
             plane: u32::from(grid.n[0]) * u32::from(grid.n[1]),
@@ -139,9 +170,9 @@ impl<L: Lanes> Local<L> {
 
     /// The number of voxel `at`, which must lie in the grid.
     #[inline(always)]
-    pub fn number(&self, l: L, course: &Course<L>, at: L::I32) -> u32 {
+    pub fn number(&self, l: L, at: L::I32) -> u32 {
         // Where the axis is mirrored !at + n is n - 1 - at.
-        let [x, y, z, _] = l.array(l.add(l.xor(at, course.down), self.back)).map(|x| x as u32);
+        let [x, y, z, _] = l.array(l.add(l.xor(at, self.down), self.back)).map(|x| x as u32);
         let rows = z.wrapping_mul(self.plane).wrapping_add(y.wrapping_mul(self.nx));
         rows.wrapping_add(x).wrapping_add(self.first)
     }
@@ -149,9 +180,9 @@ impl<L: Lanes> Local<L> {
     /// Where the boxes of the references of voxel `at` are; `range` is the part of the
     /// ray, in s, that is in its exit box `exit`.
     #[inline(always)]
-    pub fn boxes(&self, l: L, course: &Course<L>, at: L::I32, exit: u32, range: [f32; 2]) -> Boxes {
+    pub fn boxes(&self, l: L, at: L::I32, exit: u32, range: [f32; 2]) -> Boxes {
         let (near, far) =
-            (reach(l, exit, &course.mirror.near.shift), reach(l, exit, &course.mirror.far.shift));
+            (reach(l, exit, &self.mirror.near.shift), reach(l, exit, &self.mirror.far.shift));
         let margin = l.splat_f32(BOX_MARGIN);
         let low = l.sub_f32(l.to_f32(l.sub(at, near)), margin);
         let side = l.to_f32(l.add(l.add(near, far), l.splat_i32(1)));
@@ -161,13 +192,13 @@ impl<L: Lanes> Local<L> {
         let start = l.mul_add::<false>(low, self.pace, self.zero);
         // Cells are counted from the lower end, mirrored or not.
         let last = l.mul_f32(width, l.splat_f32((BOX_CELLS - 1) as f32));
-        let start = l.add_f32(start, l.mask_f32(last, course.down));
-        let near = l.mul_f32(width, l.load_f32(&course.mirror.near.unit));
-        let far = l.mul_f32(width, l.load_f32(&course.mirror.far.unit));
+        let start = l.add_f32(start, l.mask_f32(last, self.down));
+        let near = l.mul_f32(width, l.load_f32(&self.mirror.near.unit));
+        let far = l.mul_f32(width, l.load_f32(&self.mirror.far.unit));
         Boxes {
             near: [l.array_f32(near), l.array_f32(start)],
             far: [l.array_f32(far), l.array_f32(l.add_f32(start, width))],
-            mirror: course.mirror,
+            mirror: self.mirror,
             range,
         }
     }
@@ -175,9 +206,9 @@ impl<L: Lanes> Local<L> {
     /// Leaves the exit box `exit` of voxel `at`. Where steps are counted it
     /// is rounded once, so that their number depends on no instruction set.
     #[inline(always)]
-    pub fn step<C: Count>(&self, l: L, course: &Course<L>, at: L::I32, exit: u32) -> Step<L> {
+    pub fn step<C: Count>(&self, l: L, at: L::I32, exit: u32) -> Step<L> {
         // The planes behind the box, and where the ray is at the first of them.
-        let behind = l.add(l.add(at, l.splat_i32(1)), reach(l, exit, &course.mirror.far.shift));
+        let behind = l.add(l.add(at, l.splat_i32(1)), reach(l, exit, &self.mirror.far.shift));
         let leave = mul_add::<C, L>(l, l.to_f32(behind), self.pace, self.zero);
         let lowest = l.lowest(leave);
         // Off the axis of the exit the position says where, inside the box.

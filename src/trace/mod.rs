@@ -22,6 +22,7 @@ mod rebase;
 mod sieve;
 mod single;
 mod stream;
+mod turned;
 mod walk;
 mod work;
 

@@ -8,41 +8,49 @@
 
 use glam::DVec3;
 
-use super::local::REACH;
-use crate::arena::layout::Grid;
-use crate::simd::Lanes;
-
 const STEPS: usize = 5;
 /// Terms of an exact local origin: the origin, the corner, two per step.
 const TERMS: usize = 2 + 2 * STEPS;
 
-/// A ray with its origin moved to a grid.
-pub(super) struct Moved<L: Lanes> {
-    /// The new origin, relative to the grid's lowest corner.
-    pub o: L::F64,
-    /// The range of the new parameter.
-    pub s0: f64,
-    pub s1: f64,
-    /// The old parameter is the new one plus `base`, give or take `slack`.
+/// Where a ray is to be moved to: a box by its lowest corner and its sides, and how far
+/// from the corner, along each axis, is near enough.
+pub(super) struct Goal {
+    pub lo: DVec3,
+    pub extent: DVec3,
+    pub reach: DVec3,
+}
+
+/// A ray with its origin moved to a box.
+pub(super) struct Moved {
+    /// The new origin, relative to the box's lowest corner.
+    pub o: [f64; 3],
+    pub part: Part,
+}
+
+/// A part of a ray by a parameter that is that of the whole ray less a base.
+#[derive(Clone, Copy)]
+pub(super) struct Part {
+    pub low: f64,
+    pub high: f64,
+    /// Give or take `slack`.
     pub base: f64,
     pub slack: f64,
+}
+
+impl Part {
+    /// Of the ray's own parameter.
+    pub fn new(low: f64, high: f64) -> Self {
+        Self { low, high, base: 0.0, slack: 0.0 }
+    }
 }
 
 /// Moves an origin that is beyond reach; `None` if the ray misses the box. `exact` is
 /// the ray's origin and direction, [`super::course::Course::exact`].
 #[cold]
 #[inline(never)]
-pub(super) fn rebase<L: Lanes>(
-    l: L,
-    grid: &Grid,
-    exact: &[[f64; 3]; 2],
-    t0: f64,
-    t1: f64,
-) -> Option<Moved<L>> {
+pub(super) fn rebase(goal: &Goal, exact: &[[f64; 3]; 2], t0: f64, t1: f64) -> Option<Moved> {
     let [org, dir] = exact.map(DVec3::from_array);
-    let lo = DVec3::from_array(grid.lo);
-    let cell = DVec3::from_array(grid.cell.map(f64::from));
-    let (reach, extent) = (cell * REACH, cell * DVec3::from_array(grid.n.map(f64::from)));
+    let Goal { lo, extent, reach } = *goal;
     let mut steps = [0.0; STEPS];
     let mut o = org - lo;
     for step in 0..STEPS {
@@ -65,7 +73,7 @@ pub(super) fn rebase<L: Lanes>(
     // Parameters within the box are off by their own rounding too.
     let across = (extent + o.abs()).max_element() / dir.abs().max_element();
     slack += across * 1e-15;
-    Some(Moved { o: l.load_f64(&[o.x, o.y, o.z, 0.0]), s0, s1, base, slack })
+    Some(Moved { o: o.to_array(), part: Part { low: s0, high: s1, base, slack } })
 }
 
 /// The parameter at which the ray has passed the near planes of the box.

@@ -150,14 +150,15 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         }
         let l = self.lanes;
         let grid = self.sections.grid(number);
-        let Some(local) = Local::enter(l, grid, &self.course, self.ray, t0, t1) else {
+        let Some(local) = Local::enter(l, &self.sections, number, &self.course, self.ray, [t0, t1])
+        else {
             return false;
         };
         let mut at = local.at;
         let mut s = 0.0;
         let mut stop = local.span.stop(self.limit());
         loop {
-            let voxel = self.sections.voxel(local.number(l, &self.course, at) as usize);
+            let voxel = self.sections.voxel(local.number(l, at) as usize);
             self.counters.voxel();
             if self.counters.spent() {
                 return true;
@@ -165,11 +166,11 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             let (tag, payload) = (voxel >> TAG_SHIFT, voxel & PAYLOAD);
             let step = if tag == EMPTY {
                 // The tag's bits are beyond those of the exit box, and 0.
-                local.step::<C>(l, &self.course, at, voxel)
+                local.step::<C>(l, at, voxel)
             } else {
                 let (exit, refs) =
                     if tag == LIST { self.sections.list(payload) } else { (0, &[][..]) };
-                let step = local.step::<C>(l, &self.course, at, exit);
+                let step = local.step::<C>(l, at, exit);
                 if C::KEEPS && tag == LIST {
                     let until = if step.out < stop { step.out } else { stop };
                     self.counters.keep_list(payload, l.array(at), [s, until]);
@@ -181,7 +182,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                     let until = if step.out < stop { step.out } else { stop };
                     let taus = [local.span.low(s), local.span.high(until)];
                     let met = if tag == LIST {
-                        let boxes = local.boxes(l, &self.course, at, exit, [s, until]);
+                        let boxes = local.boxes(l, at, exit, [s, until]);
                         self.long_apart(payload, &boxes, taus)
                     } else {
                         self.below(payload, taus)

@@ -23,7 +23,9 @@ pub const RECORDS: [usize; 4] = [64, 4, 4, 48];
 pub const UNIT: usize = 200;
 /// Of the triangles that any-hit queries look at first.
 pub const OCCLUDERS: Range<usize> = 208..240;
-pub const RESERVED: Range<usize> = 240..256;
+/// A section too, behind the others.
+pub const FRAMES: usize = 240;
+pub const FRAME: usize = 128;
 
 /// Places in a grid: three numbers of eight, four, four and two bytes.
 pub const LO: usize = 0;
@@ -32,7 +34,9 @@ pub const CELL: usize = 36;
 pub const N: usize = 48;
 /// One byte each.
 pub const LEVEL: usize = 54;
-pub const COVERS: usize = 55;
+pub const FLAGS: usize = 55;
+/// One of them.
+pub const TURNED: u8 = 2;
 /// Four bytes each.
 pub const FIRST: usize = 56;
 pub const WALKS: usize = 60;
@@ -86,7 +90,7 @@ pub fn count(bytes: &[u8], section: usize) -> usize {
 
 /// Where a record of a section is.
 pub fn record(bytes: &[u8], section: usize, number: usize) -> usize {
-    let size = RECORDS[(section - GRIDS) / 16];
+    let size = if section == FRAMES { FRAME } else { RECORDS[(section - GRIDS) / 16] };
     get64(bytes, section) as usize + number * size
 }
 

@@ -9,7 +9,8 @@ pub mod layout;
 pub mod native;
 
 use hug::{
-    Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Ray, Scene, Structure,
+    Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Orientation, Ray, Scene,
+    Structure,
 };
 use hug_kit::random::Random;
 use hug_kit::{Bounds, Mesh, rays, soups};
@@ -65,6 +66,9 @@ pub fn configurations() -> Vec<(&'static str, Options)> {
         ("r50", of(Structure::Recursive)),
         ("u.f2", hug),
         ("u.f3", three),
+        ("u.f2 turned", Options { orientation: Orientation::Search, turn_below: 1e6, ..hug }),
+        ("u.f3 turned", Options { orientation: Orientation::Vertices, turn_below: 1e6, ..three }),
+        ("u.f2 hull", Options { orientation: Orientation::Hull, min_cluster: 1, ..hug }),
         ("u.f3 paper", Options { hierarchy: Hierarchy::Paper, min_cluster: 1, ..three }),
         ("u.f3 mean", Options { delta: Delta::Mean, connectivity: 0.3, ..three }),
         ("u.f4", Options { filter: Filter::Thresholds { count: 3, at }, min_cluster: 1, ..hug }),

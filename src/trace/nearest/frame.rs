@@ -1,6 +1,7 @@
 //! Boxes, blocks of voxels, and where they lie.
 
-use crate::arena::layout::{EXIT_BITS, EXIT_MAX, Grid, Triangle};
+use crate::arena::Sections;
+use crate::arena::layout::{self, EXIT_BITS, EXIT_MAX, Grid, TURNED, Triangle};
 use crate::triangle::Corners;
 
 /// How much blocks are grown, in voxels.
@@ -39,6 +40,27 @@ impl Bounds {
         (0..3).any(|k| self.lo[k] >= self.hi[k])
     }
 
+    /// A box around this one in the coordinates of a turned grid. An infinite one stays so.
+    pub fn turned(&self, frame: &layout::Frame) -> Self {
+        let middle = core::array::from_fn(|k| 0.5 * self.lo[k] + 0.5 * self.hi[k]);
+        let half: [f64; 3] = core::array::from_fn(|k| 0.5 * self.hi[k] - 0.5 * self.lo[k]);
+        if !half.iter().chain(&middle).all(|x| x.is_finite()) {
+            return Self::EVERYWHERE;
+        }
+        let from = frame.from_origin(middle);
+        let middle = frame.turn(from);
+        let far = from.iter().fold(0.0f64, |far, x| far.max(x.abs()));
+        let reach: [f64; 3] = core::array::from_fn(|k| {
+            let along = |i: usize| frame.axes[i][k].abs() * half[i];
+            // What rounding may take away, many times over.
+            (along(0) + along(1) + along(2)) * (1.0 + 1e-12) + far * 1e-12
+        });
+        Self {
+            lo: core::array::from_fn(|k| middle[k] - reach[k]),
+            hi: core::array::from_fn(|k| middle[k] + reach[k]),
+        }
+    }
+
     /// At most the square of the distance from `p`.
     pub fn square(&self, p: &[f64; 3]) -> f64 {
         let off = |k: usize| (self.lo[k] - p[k]).max(p[k] - self.hi[k]).max(0.0);
@@ -70,16 +92,26 @@ pub struct Frame<'a> {
     pub grid: &'a Grid,
     /// The sides of a voxel.
     pub cell: [f64; 3],
-    /// The voxel that is nearest to the centre.
+    /// The centre, in the grid's coordinates, and the voxel that is nearest to it.
+    pub p: [f64; 3],
     pub at: [u32; 3],
     part: Bounds,
+    /// If these are its own, a part of space around it, in those of the scene.
+    turned: Option<Bounds>,
 }
 
 impl<'a> Frame<'a> {
-    pub fn new(grid: &'a Grid, p: &[f64; 3], part: Bounds) -> Self {
+    pub fn new(sections: &Sections<'a>, number: u32, p: &[f64; 3], part: Bounds) -> Self {
+        let grid = sections.grid(number);
         let cell = grid.inv_cell.map(|x| 1.0 / f64::from(x));
-        let mut frame = Self { grid, cell, at: [0; 3], part };
-        frame.at = core::array::from_fn(|k| frame.voxel(p[k], k));
+        let mut frame = Self { grid, cell, p: *p, at: [0; 3], part, turned: None };
+        if grid.flags & TURNED != 0 {
+            let own = sections.frame(number);
+            frame.p = own.turn(own.from_origin(*p));
+            frame.part = part.turned(own);
+            frame.turned = Some(part);
+        }
+        frame.at = core::array::from_fn(|k| frame.voxel(frame.p[k], k));
         frame
     }
 
@@ -133,7 +165,8 @@ impl<'a> Frame<'a> {
             lo: core::array::from_fn(|k| self.plane(block.lo[k], k)),
             hi: core::array::from_fn(|k| self.plane(block.hi[k] + 1, k)),
         };
-        space.meet(&self.part)
+        // Nothing is lost if it is larger, and places in a turned grid are not worth turning back.
+        self.turned.unwrap_or_else(|| space.meet(&self.part))
     }
 
     /// A box of all that the block refers to in the part.

@@ -14,6 +14,9 @@
 //! nothing is lost. For distances, blocks are grown by 2^-8 of a voxel and squares made
 //! smaller by a part in 10^12.
 //!
+//! A turned grid is searched in its own coordinates, in the part of space that a box there
+//! around the block has; so places may be searched twice, and still none is left out.
+//!
 //! The search is in coordinates times the header's `unit`.
 
 mod frame;
@@ -69,14 +72,14 @@ impl<'a> Search<'a> {
     /// Searches part of a grid.
     fn grid(&mut self, number: u32, part: Bounds) {
         if !part.is_empty() {
-            let frame = Frame::new(self.sections.grid(number), &self.p, part);
+            let frame = Frame::new(&self.sections, number, &self.p, part);
             self.block(&frame, frame.block());
         }
     }
 
     fn block(&mut self, frame: &Frame<'a>, mut block: Block) {
         loop {
-            if frame.bounds(&block).square(&self.p) > self.limits[1] {
+            if frame.bounds(&block).square(&frame.p) > self.limits[1] {
                 return;
             }
             let at: [u32; 3] =

@@ -5,7 +5,7 @@
 //! 2^24 are exact; its error bound holds here too.
 
 use super::super::bounds::Planes;
-use super::super::course::{Course, Mirror};
+use super::super::course::Mirror;
 use super::super::local::Local;
 use crate::simd::Lanes;
 
@@ -137,9 +137,9 @@ impl Columns {
         until: ZEROS,
     };
 
-    /// A ray begins its course.
+    /// A ray goes on in other coordinates than before.
     #[inline(always)]
-    pub fn begin(&mut self, slot: usize, mirror: &Mirror) {
+    pub fn turn(&mut self, slot: usize, mirror: &Mirror) {
         for k in 0..3 {
             self.near.mask[k][slot] = mirror.near.mask[k][0];
             self.near.unit[k][slot] = mirror.near.unit[k];
@@ -150,14 +150,14 @@ impl Columns {
 
     /// A ray enters a grid: [`Columns::arrive`] brings it to its first voxel, at s = 0.
     #[inline(always)]
-    pub fn enter<L: Lanes>(&mut self, l: L, slot: usize, local: &Local<L>, course: &Course<L>) {
+    pub fn enter<L: Lanes>(&mut self, l: L, slot: usize, local: &Local<L>) {
         let (at, last) = (l.to_f32(local.at), l.to_f32(local.last));
         let (at, start) = (l.array_f32(at), l.array_f32(local.start));
         self.put(slot, &[at, start, l.array_f32(local.speed), l.array_f32(last)]);
         self.nx[slot] = local.nx as f32;
         self.plane[slot] = local.plane;
         self.first[slot] = local.first;
-        self.number[slot] = local.number(l, course, local.at);
+        self.number[slot] = local.number(l, local.at);
         self.out[slot] = 0.0;
     }
 

@@ -1,6 +1,6 @@
 //! A ray in flight: what it keeps to itself, and the grids that it is to go back to.
 
-use super::super::course::Course;
+use super::super::course::{Course, Mirror};
 use super::super::decided::Decided;
 use super::super::local::Span;
 use super::super::query::{Query, beyond};
@@ -31,6 +31,8 @@ pub(super) struct Flight<Q, L: Lanes> {
     pub index: usize,
     pub query: Q,
     pub course: Course<L>,
+    /// In the coordinates of the grid where it is.
+    pub mirror: &'static Mirror,
     pub decided: Decided,
     /// In the grid where it is.
     pub span: Span,
@@ -47,6 +49,7 @@ impl<Q: Query, L: Lanes> Flight<Q, L> {
             index,
             query: Q::new(&ray),
             course,
+            mirror: course.mirror,
             decided: Decided::NONE,
             span: Span::NONE,
             grids: Grids::NONE,
@@ -65,6 +68,7 @@ impl<Q: Query, L: Lanes> Flight<Q, L> {
 #[derive(Clone, Copy)]
 pub(super) struct Frame {
     pub kept: Kept,
+    pub mirror: &'static Mirror,
     pub span: Span,
     /// The grids still to be entered, and the range of tau to walk there.
     pub grids: Grids,
@@ -72,6 +76,11 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub const NONE: Self =
-        Self { kept: Kept::NONE, span: Span::NONE, grids: Grids::NONE, range: [0.0; 2] };
+    pub const NONE: Self = Self {
+        kept: Kept::NONE,
+        mirror: Mirror::ASCENDING,
+        span: Span::NONE,
+        grids: Grids::NONE,
+        range: [0.0; 2],
+    };
 }

@@ -48,7 +48,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             // If the list is empty this is its length, 0.
             let mixed = sections.eight(refs + len - 1)[0] & GRID_BIT != 0;
             let triangles = if mixed { self.split_apart(slot) } else { len };
-            let planes = self.columns.planes(l, slot, self.flights[slot].course.mirror);
+            let planes = self.columns.planes(l, slot, self.flights[slot].mirror);
             let mut at = 0;
             while at < triangles {
                 if n > Pairs::MOST - 8 {
@@ -78,7 +78,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     #[inline(always)]
     fn split(&mut self, slot: usize) -> u32 {
         let (_, refs) = self.sections.list(self.lists.places[slot]);
-        let planes = self.columns.planes(self.lanes, slot, self.flights[slot].course.mirror);
+        let planes = self.columns.planes(self.lanes, slot, self.flights[slot].mirror);
         let triangles = refs.partition_point(|r| r & GRID_BIT == 0) as u32;
         let (first, len) = (self.lists.places[slot] + LIST_HEAD as u32, refs.len() as u32);
         let mut at = triangles;

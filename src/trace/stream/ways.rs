@@ -1,7 +1,7 @@
 //! Ways between grids, and in and out of the stream.
 
 use super::super::counters::Uncounted;
-use super::super::course::Course;
+use super::super::course::{Course, Mirror};
 use super::super::local::Local;
 use super::super::query::{Query, beyond, usable, visible};
 use super::super::sieve::Sieve;
@@ -69,7 +69,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         if Q::ANY && self.is_hidden(slot) {
             return false;
         }
-        self.columns.begin(slot, course.mirror);
+        self.columns.turn(slot, course.mirror);
         // A t that rounds to tmin may lie below it, one that rounds to tmax above.
         let range = [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
         self.enter(slot, 0, range)
@@ -100,18 +100,29 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
 
     /// Whether a ray can be in a grid for tau in `range`; then it is.
     #[inline(always)]
-    fn enter(&mut self, slot: usize, grid: u32, [t0, t1]: [f64; 2]) -> bool {
+    fn enter(&mut self, slot: usize, grid: u32, range: [f64; 2]) -> bool {
         let l = self.lanes;
-        let flight = &mut self.flights[slot];
-        let grid = self.sections.grid(grid);
-        let Some(local) = Local::enter(l, grid, &flight.course, &flight.ray, t0, t1) else {
+        let Flight { ref course, ref ray, .. } = self.flights[slot];
+        let Some(local) = Local::enter(l, &self.sections, grid, course, ray, range) else {
             return false;
         };
+        self.face(slot, local.mirror);
+        let flight = &mut self.flights[slot];
         flight.span = local.span;
-        self.columns.enter(l, slot, &local, &flight.course);
+        self.columns.enter(l, slot, &local);
         self.columns.stop[slot] = flight.stop();
         self.sections.fetch_voxel(l, self.columns.number[slot]);
         true
+    }
+
+    /// Goes on in coordinates in which the ray has this mirror.
+    #[inline(always)]
+    fn face(&mut self, slot: usize, mirror: &'static Mirror) {
+        let flight = &mut self.flights[slot];
+        if !core::ptr::eq(flight.mirror, mirror) {
+            flight.mirror = mirror;
+            self.columns.turn(slot, mirror);
+        }
     }
 
     /// Goes down to a grid, over the part of the ray in the exit box. `on`: will go on in
@@ -129,7 +140,8 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             && let Some(frame) = frames(self.frames, self.depth, slot).get_mut(flight.depth)
         {
             let kept = self.columns.keep(slot);
-            *frame = Frame { kept, span: flight.span, grids: flight.grids, range };
+            let Flight { mirror, span, grids, .. } = *flight;
+            *frame = Frame { kept, mirror, span, grids, range };
             flight.depth += 1;
         }
         if !self.enter(slot, self.lists.grids[slot], range) {
@@ -178,8 +190,9 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             }
             flight.depth = top;
             flight.span = frame.span;
-            self.columns.restore(slot, &frame.kept);
             self.columns.stop[slot] = flight.stop();
+            self.columns.restore(slot, &frame.kept);
+            self.face(slot, frame.mirror);
             if self.columns.goes_on(slot) {
                 self.sections.fetch_voxel(self.lanes, self.columns.number[slot]);
                 return true;

@@ -44,8 +44,8 @@ impl<'a, Q: Query, L: Lanes> Half<'a, Q, L> {
         }
         let Log { entries, lists, .. } = log.into_inner();
         let enter = |entry: &Entry| {
-            let (walk, grid) = (&walks[entry.ray as usize], view.sections().grid(entry.grid));
-            Local::enter(lanes, grid, &walk.course, walk.ray, entry.t0, entry.t1)
+            let (walk, range) = (&walks[entry.ray as usize], [entry.t0, entry.t1]);
+            Local::enter(lanes, &view.sections(), entry.grid, &walk.course, walk.ray, range)
         };
         let locals = entries.iter().map(enter).collect();
         Self { lanes, view, entries, lists, walks, ends, locals }
@@ -78,7 +78,7 @@ impl<Q: Query, L: Lanes> Walk<'_, Q, Uncounted, L> {
         }
         // There are lists only where the grid was entered.
         let Some(local) = local else { return Outcome::Nothing };
-        let boxes = local.boxes(l, &self.course, l.load_i32(&list.at), exit, list.range);
+        let boxes = local.boxes(l, l.load_i32(&list.at), exit, list.range);
         let (mut met, mut few, mut at) = (Outcome::Nothing, Few::NONE, 0);
         let len = refs.len() as u32;
         while at < len && met != Outcome::Enough {
@@ -131,8 +131,8 @@ impl<Q: Query, L: Lanes> Half<'_, Q, L> {
         for entry in &self.entries {
             let walk = &self.walks[entry.ray as usize];
             let t0 = f64::from_bits(entry.t0.to_bits() | (last & nothing));
-            let grid = sections.grid(entry.grid);
-            let local = Local::enter(l, grid, &walk.course, walk.ray, t0, entry.t1);
+            let range = [t0, entry.t1];
+            let local = Local::enter(l, &sections, entry.grid, &walk.course, walk.ray, range);
             last = local.as_ref().map_or(0, |local| {
                 entered += 1;
                 local.span.low(0.0).to_bits() | l.array(local.at)[0] as u64
@@ -149,13 +149,12 @@ impl<Q: Query, L: Lanes> Half<'_, Q, L> {
         let mut lists = 0;
         for (entry, local) in self.entries.iter().zip(&self.locals) {
             let Some(local) = local else { continue };
-            let course = &self.walks[entry.ray as usize].course;
             let (mut at, mut out) = (local.at, 0.0);
             for _ in 0..entry.steps {
                 if l.any_greater(at, local.last) {
                     break;
                 }
-                let voxel = sections.voxel(local.number(l, course, at) as usize);
+                let voxel = sections.voxel(local.number(l, at) as usize);
                 let exit = match voxel >> TAG_SHIFT {
                     EMPTY => voxel,
                     LIST => {
@@ -164,7 +163,7 @@ impl<Q: Query, L: Lanes> Half<'_, Q, L> {
                     }
                     _ => 0,
                 };
-                let step = local.step::<Uncounted>(l, course, at, exit);
+                let step = local.step::<Uncounted>(l, at, exit);
                 (at, out) = (step.to, step.out);
             }
             black_box(out);
