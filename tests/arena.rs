@@ -159,7 +159,7 @@ fn another_header() {
             corrupt(UNIT, unit.to_bits());
         }
         let grids = get64(&bytes, GRIDS + 8);
-        for wrong in [1, grids - 1, grids + 1, 1 << 57, u64::MAX] {
+        for wrong in [1, grids.wrapping_sub(1), grids + 1, 1 << 57, u64::MAX] {
             if wrong != get64(&bytes, FRAMES + 8) && wrong != 0 {
                 elsewhere(FRAMES + 8, wrong);
             }

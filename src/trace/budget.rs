@@ -4,7 +4,7 @@
 //! [`Counters`](super::Counters) counts, hits apart. So the same budget ends the same
 //! ray at the same step on every machine and instruction set.
 
-use super::counters::Count;
+use super::counters::{Count, Meter};
 use super::query::{Any, Closest, Query};
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
@@ -23,7 +23,7 @@ impl core::error::Error for Truncated {}
 
 /// Steps that are left, until one too many is taken.
 #[derive(Clone, Copy)]
-struct Budget(Option<u64>);
+pub(crate) struct Budget(Option<u64>);
 
 impl Budget {
     fn take(&mut self, steps: u64) {
@@ -32,6 +32,10 @@ impl Budget {
 }
 
 impl Count for Budget {
+    type Meter<'m> = Meter<'m>;
+    fn meter(&mut self) -> Meter<'_> {
+        Meter::Budget(self)
+    }
     type Level = ();
     fn of(_: u8) {}
     fn grid(&mut self) {

@@ -1,5 +1,7 @@
 //! What a walk counts, or does not.
 
+use super::budget::Budget;
+use super::profile::Profile;
 use crate::ray::Ray;
 use crate::simd::Isa;
 use crate::triangle::Corners;
@@ -19,7 +21,12 @@ pub struct Counters {
 }
 
 /// Counts events, or compiles to nothing.
-pub(crate) trait Count: Copy {
+pub(crate) trait Count {
+    /// What a walk counts with.
+    type Meter<'m>: Count
+    where
+        Self: 'm;
+    fn meter(&mut self) -> Self::Meter<'_>;
     /// Whether it counts.
     const COUNTS: bool = true;
     /// Whether it wants to look at every triangle that is tested.
@@ -57,12 +64,20 @@ pub(super) const fn best<C: Count>() -> Isa {
 pub(crate) struct Uncounted;
 
 impl Count for Uncounted {
+    type Meter<'m> = Self;
+    fn meter(&mut self) -> Self {
+        Self
+    }
     const COUNTS: bool = false;
     type Level = ();
     fn of(_: u8) {}
 }
 
 impl Count for Counters {
+    type Meter<'m> = Meter<'m>;
+    fn meter(&mut self) -> Meter<'_> {
+        Meter::Counters(self)
+    }
     type Level = ();
     fn of(_: u8) {}
     fn grid(&mut self) {
@@ -76,5 +91,66 @@ impl Count for Counters {
     }
     fn hit(&mut self) {
         self.hits += 1;
+    }
+}
+
+/// Any of those that count: walks that each were compiled for one of them would make the
+/// library a tenth larger.
+pub(crate) enum Meter<'m> {
+    Counters(&'m mut Counters),
+    Profile(&'m mut Profile),
+    Budget(&'m mut Budget),
+}
+
+/// Calls the same function of whichever it is.
+macro_rules! each {
+    ($meter:expr, $one:ident => $call:expr) => {
+        match $meter {
+            Meter::Counters($one) => $call,
+            Meter::Profile($one) => $call,
+            Meter::Budget($one) => $call,
+        }
+    };
+}
+
+impl Count for Meter<'_> {
+    const LOOKS: bool = true;
+    type Meter<'n>
+        = Meter<'n>
+    where
+        Self: 'n;
+    fn meter(&mut self) -> Meter<'_> {
+        match self {
+            Self::Counters(counters) => Meter::Counters(counters),
+            Self::Profile(profile) => Meter::Profile(profile),
+            Self::Budget(budget) => Meter::Budget(budget),
+        }
+    }
+    type Level = u8;
+    fn of(level: u8) -> u8 {
+        level
+    }
+    fn level(&mut self, level: u8) {
+        if let Self::Profile(profile) = self {
+            profile.level(level);
+        }
+    }
+    fn grid(&mut self) {
+        each!(self, one => one.grid());
+    }
+    fn voxel(&mut self) {
+        each!(self, one => one.voxel());
+    }
+    fn tests(&mut self, n: usize) {
+        each!(self, one => one.tests(n));
+    }
+    fn hit(&mut self) {
+        each!(self, one => one.hit());
+    }
+    fn look(&mut self, ray: &Ray, triangle: &impl Corners) {
+        each!(self, one => one.look(ray, triangle));
+    }
+    fn spent(&self) -> bool {
+        each!(self, one => one.spent())
     }
 }

@@ -114,12 +114,13 @@ impl<L: Lanes> Local<L> {
         }
         let records = grid.lanes();
         let wide = l.widen(l.load_f32(records.inv_cell));
-        let place = l.mul_f64(l.sub_f64(course.org, l.load_f64(records.lo)), wide);
+        let mut place = l.mul_f64(l.sub_f64(course.org, l.load_f64(records.lo)), wide);
+        let mut part = Part::new(t0, t1);
         if l.any_beyond(place, REACH) {
             let moved = rebase(&goal(grid), &course.exact(ray), t0, t1)?;
-            return Self::at(l, grid, course, l.mul_f64(load(l, moved.o), wide), moved.part);
+            (place, part) = (l.mul_f64(load(l, moved.o), wide), moved.part);
         }
-        Self::at(l, grid, course, place, Part::new(t0, t1))
+        Self::at(l, grid, course, place, part)
     }
 
     /// The part of the ray in the box of a grid, from a point `place` of it: in voxels, from

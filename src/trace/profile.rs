@@ -1,7 +1,7 @@
 //! What a walk does on each level of a hierarchy, and how far the paper's
 //! intersection routine would have gone (sections 3 and 4).
 
-use super::counters::Count;
+use super::counters::{Count, Meter};
 use crate::options::MAX_LEVELS;
 use crate::ray::Ray;
 use crate::triangle::Corners;
@@ -94,6 +94,10 @@ impl Profile {
 }
 
 impl Count for Profile {
+    type Meter<'m> = Meter<'m>;
+    fn meter(&mut self) -> Meter<'_> {
+        Meter::Profile(self)
+    }
     const LOOKS: bool = true;
     type Level = u8;
     fn of(level: u8) -> u8 {

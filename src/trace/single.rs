@@ -72,6 +72,7 @@ impl View<'_> {
             if self.header().grids.count == 0 {
                 return Q::miss(ray);
             }
+            let counters = &mut counters.meter();
             dispatch(Single { view: self, ray, query: Q::new(ray), counters })
         })
     }

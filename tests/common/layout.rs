@@ -158,6 +158,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
         put64(&mut bytes, SECTIONS[i], offsets[i] as u64);
         put64(&mut bytes, SECTIONS[i] + 8, counts[i] as u64);
     }
+    put64(&mut bytes, FRAMES, end as u64);
     let mut next = 0;
     for number in 0..grids {
         let depth = number.div_ceil(width);

@@ -42,6 +42,13 @@ pub struct Log {
 pub struct Recorder<'r>(pub &'r RefCell<Log>);
 
 impl Count for Recorder<'_> {
+    type Meter<'m>
+        = Self
+    where
+        Self: 'm;
+    fn meter(&mut self) -> Self {
+        *self
+    }
     // It takes the walk of those that count nothing.
     const COUNTS: bool = false;
     const KEEPS: bool = true;
