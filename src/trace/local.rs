@@ -106,12 +106,39 @@ impl<L: Lanes> Local<L> {
         number: u32,
         course: &Course<L>,
         ray: &Ray,
-        [t0, t1]: [f64; 2],
+        range: [f64; 2],
     ) -> Option<Self> {
         let grid = sections.grid(number);
         if grid.flags & TURNED != 0 {
-            return turned(l, &Turned { grid, frame: sections.frame(number), course, ray, t0, t1 });
+            Self::enter_turned(l, sections, number, course, ray, range)
+        } else {
+            Self::enter_aligned(l, grid, course, ray, range)
         }
+    }
+
+    /// [`Local::enter`] for a grid that is turned.
+    #[inline(always)]
+    pub fn enter_turned(
+        l: L,
+        sections: &Sections<'_>,
+        number: u32,
+        course: &Course<L>,
+        ray: &Ray,
+        range: [f64; 2],
+    ) -> Option<Self> {
+        let (grid, frame) = (sections.grid(number), sections.frame(number));
+        turned(l, &Turned { grid, frame, course, ray, range })
+    }
+
+    /// [`Local::enter`] for a grid that is not.
+    #[inline(always)]
+    pub fn enter_aligned(
+        l: L,
+        grid: &Grid,
+        course: &Course<L>,
+        ray: &Ray,
+        [t0, t1]: [f64; 2],
+    ) -> Option<Self> {
         let records = grid.lanes();
         let wide = l.widen(l.load_f32(records.inv_cell));
         let mut place = l.mul_f64(l.sub_f64(course.org, l.load_f64(records.lo)), wide);

@@ -21,8 +21,8 @@ pub(super) struct Turned<'a, L: Lanes> {
     pub frame: &'a Frame,
     pub course: &'a Course<L>,
     pub ray: &'a Ray,
-    pub t0: f64,
-    pub t1: f64,
+    /// The part of it in question, of tau.
+    pub range: [f64; 2],
 }
 
 /// [`Local::enter`] for a turned grid.
@@ -36,7 +36,7 @@ impl<L: Lanes> Kernel<L> for &Turned<'_, L> {
     type Out = Option<Local<L>>;
     #[inline(always)]
     fn run(self, l: L) -> Option<Local<L>> {
-        let Turned { grid, frame, course, ray, t0, t1 } = *self;
+        let Turned { grid, frame, course, ray, range: [t0, t1] } = *self;
         let exact = course.exact(ray);
         let mut from = frame.from_origin(exact[0]);
         let mut part = Part::new(t0, t1);

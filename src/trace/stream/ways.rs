@@ -8,15 +8,36 @@ use super::super::sieve::Sieve;
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
 use super::round::Rounds;
-use crate::arena::layout::GRID_BIT;
+use crate::arena::layout::{GRID_BIT, TURNED};
 use crate::ray::Ray;
-use crate::simd::Lanes;
+use crate::simd::{Kernel, Lanes};
 use crate::triangle::Line;
 
 /// The frames of a slot.
 #[inline(always)]
 fn frames(frames: &mut [Frame], depth: usize, slot: usize) -> &mut [Frame] {
     frames.get_mut(slot * depth..(slot + 1) * depth).unwrap_or_default()
+}
+
+/// [`Rounds::enter_turned`], compiled for the rays' instruction set.
+struct EnterTurned<'r, 'a, 'p, Q: Query, L: Lanes> {
+    rounds: &'r mut Rounds<'a, 'p, Q, L>,
+    slot: usize,
+    grid: u32,
+    range: [f64; 2],
+}
+
+impl<Q: Query, L: Lanes> Kernel<L> for EnterTurned<'_, '_, '_, Q, L> {
+    type Out = bool;
+    #[inline(always)]
+    fn run(self, l: L) -> bool {
+        let Self { rounds, slot, grid, range } = self;
+        let Flight { ref course, ref ray, .. } = rounds.flights[slot];
+        let local = Local::enter_turned(l, &rounds.sections, grid, course, ray, range);
+        let Some(local) = local else { return false };
+        rounds.arrive(slot, &local);
+        true
+    }
 }
 
 impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
@@ -102,17 +123,34 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     #[inline(always)]
     fn enter(&mut self, slot: usize, grid: u32, range: [f64; 2]) -> bool {
         let l = self.lanes;
+        let record = self.sections.grid(grid);
+        if record.flags & TURNED != 0 {
+            return self.enter_turned(slot, grid, range);
+        }
         let Flight { ref course, ref ray, .. } = self.flights[slot];
-        let Some(local) = Local::enter(l, &self.sections, grid, course, ray, range) else {
+        let Some(local) = Local::enter_aligned(l, record, course, ray, range) else {
             return false;
         };
+        self.arrive(slot, &local);
+        true
+    }
+
+    /// [`Rounds::enter`] for a grid that is turned; apart, as that is seldom.
+    #[cold]
+    fn enter_turned(&mut self, slot: usize, grid: u32, range: [f64; 2]) -> bool {
+        self.lanes.run(EnterTurned { rounds: self, slot, grid, range })
+    }
+
+    /// Puts a ray in a grid.
+    #[inline(always)]
+    fn arrive(&mut self, slot: usize, local: &Local<L>) {
+        let l = self.lanes;
         self.face(slot, local.mirror);
         let flight = &mut self.flights[slot];
         flight.span = local.span;
-        self.columns.enter(l, slot, &local);
+        self.columns.enter(l, slot, local);
         self.columns.stop[slot] = flight.stop();
         self.sections.fetch_voxel(l, self.columns.number[slot]);
-        true
     }
 
     /// Goes on in coordinates in which the ray has this mirror.
