@@ -5,6 +5,7 @@ pub mod lengths;
 pub mod occupancy;
 pub mod performance;
 pub mod rendering;
+pub mod selected;
 
 use crate::sheet::Cell;
 

@@ -1,0 +1,198 @@
+//! Section 7.5: time and memory of all structures, and the recursive grid at equal memory and at
+//! equal cost.
+
+use crate::selected::curves::RECURSIVE;
+use crate::selected::equal::Reading;
+use crate::selected::{Comparison, Contest, Entry, Judged, Ordinate, SETS};
+use crate::sheet::{Cell, Sheet, number};
+
+/// The tables of a scene with one kind of walk.
+pub fn sheets(comparison: &Comparison, contest: &Contest) -> Vec<Sheet> {
+    let mut sheets = vec![measured(comparison, contest)];
+    sheets.extend(Ordinate::ALL.map(|ordinate| equal(comparison, contest, ordinate)));
+    sheets
+}
+
+/// A name for a file of a scene with one kind of walk.
+pub fn file(comparison: &Comparison, contest: &Contest, what: &str) -> String {
+    let name = format!("{}.selected.{}.{what}", comparison.short, contest.walk.file());
+    name.replace([':', '/', '\\'], "_")
+}
+
+fn title(comparison: &Comparison, contest: &Contest, what: &str) -> String {
+    format!("Section 7.5, {}, {}: {what}", comparison.short, contest.walk.text())
+}
+
+fn measured(comparison: &Comparison, contest: &Contest) -> Sheet {
+    let head = [
+        "DS",
+        "curve",
+        "bytes",
+        "MB",
+        "%vol",
+        "build ms",
+        "build least",
+        "build most",
+        "rays",
+        "ns",
+        "ns least",
+        "ns most",
+        "voxels",
+        "tests",
+        "both",
+        "grids",
+    ];
+    let title = title(comparison, contest, "time and memory");
+    let mut sheet = Sheet::new(file(comparison, contest, "measured"), title, &head).noted(
+        "bytes: the arena; MB is without the triangles, which are the same in all. ns: CPU time of \
+         a closest hit; it and build ms are medians, least and most of rounds in which all take \
+         turns. voxels, tests, both together, grids: counted, a ray. primary: of all views.",
+    );
+    for entry in &contest.entries {
+        let head = [
+            Cell::from(entry.name.clone()),
+            entry.curve.clone().into(),
+            entry.bytes.into(),
+            entry.megabytes().into(),
+            entry.volume.into(),
+        ];
+        let build = entry.build.times(1e3);
+        let head = head.into_iter().chain([build.median, build.least, build.most].map(Cell::from));
+        let head: Vec<Cell> = head.collect();
+        for (name, cost) in SETS.iter().zip(&entry.costs) {
+            let (t, calls) = (cost.time, &cost.calls);
+            let times = [t.median, t.least, t.most];
+            let counts = [cost.each(calls.voxels), cost.each(calls.tests), cost.work()];
+            let numbers = times.into_iter().chain(counts).chain([cost.each(calls.grids)]);
+            let rays = std::iter::once(Cell::from(*name)).chain(numbers.map(Cell::Number));
+            sheet.row(head.iter().cloned().chain(rays));
+        }
+    }
+    sheet
+}
+
+/// Everything that is not a recursive grid, with what to read it against.
+fn others(contest: &Contest) -> impl Iterator<Item = &Entry> {
+    contest.entries.iter().filter(|entry| entry.curve != RECURSIVE)
+}
+
+fn equal(comparison: &Comparison, contest: &Contest, ordinate: Ordinate) -> Sheet {
+    let cost = ordinate.text();
+    let better = match ordinate {
+        Ordinate::Time => "times as fast",
+        Ordinate::Work => "times as cheap",
+    };
+    let head = [
+        "DS",
+        "rays",
+        "MB",
+        cost,
+        "recursive in this memory",
+        better,
+        "MB of recursive at this cost",
+        "share of its memory",
+        "with triangles",
+        "out of range",
+    ];
+    let what = format!("at equal memory and at equal {}", ordinate.file());
+    let name = file(comparison, contest, &format!("equal_{}", ordinate.file()));
+    let mut sheet = Sheet::new(name, title(comparison, contest, &what), &head).noted(
+        "The recursive grid is read off between those built, on logarithmic scales, never beyond \
+         them. At this cost: the least memory with which it costs no more. Times as fast, as cheap: \
+         of the recursive grid in this memory. Share: below 1 the structure is smaller.",
+    );
+    for entry in others(contest) {
+        for (set, name) in SETS.iter().enumerate() {
+            let Some(judged) = Judged::new(contest, entry, set, ordinate) else { continue };
+            sheet.row([
+                entry.name.clone().into(),
+                (*name).into(),
+                judged.megabytes.into(),
+                judged.cost.into(),
+                judged.equal_memory.at().into(),
+                judged.faster().into(),
+                judged.equal_cost.at().into(),
+                judged.smaller().into(),
+                judged.smaller_with_triangles().into(),
+                beyond(&judged).into(),
+            ]);
+        }
+    }
+    sheet
+}
+
+/// Where there is no recursive grid to compare with.
+pub fn beyond(judged: &Judged) -> String {
+    let memory = match judged.equal_memory {
+        Reading::At(_) => None,
+        Reading::Below(least) => Some(format!("smaller than any ({} MB)", number(least))),
+        Reading::Above(most) => Some(format!("larger than any ({} MB)", number(most))),
+    };
+    let cost = match judged.equal_cost {
+        Reading::At(_) => None,
+        Reading::Below(least) => Some(format!("cheaper than any ({})", number(least))),
+        Reading::Above(first) => Some(format!("dearer than the smallest ({})", number(first))),
+    };
+    memory.into_iter().chain(cost).collect::<Vec<_>>().join("; ")
+}
+
+/// Over all scenes: each curve's best, and how much of it was within range.
+pub fn summary(comparisons: &[Comparison]) -> Sheet {
+    let head = [
+        "scene",
+        "walk",
+        "curve",
+        "rays",
+        "by",
+        "at equal memory: of",
+        "best at",
+        "times as fast or cheap",
+        "at equal cost: of",
+        "best at",
+        "share of memory",
+        "with triangles",
+    ];
+    let title = "Section 7.5: each curve beside the recursive grid, at its best";
+    let mut sheet = Sheet::new("selected_summary", title, &head).noted(
+        "Of: structures of the curve that have a recursive grid of their memory, or of their cost, \
+         to be compared with; the best of these follows. Best: the most times as fast, or \
+         by work as cheap; the smallest share of memory.",
+    );
+    for comparison in comparisons {
+        for contest in &comparison.contests {
+            for curve in contest.curves().into_iter().filter(|&curve| curve != RECURSIVE) {
+                for (set, rays) in SETS.iter().enumerate() {
+                    for ordinate in Ordinate::ALL {
+                        let head = [&comparison.short, contest.walk.text(), curve, rays];
+                        let head = head.map(Cell::from).into_iter();
+                        let head = head.chain([Cell::from(ordinate.file())]);
+                        sheet.row(head.chain(best(contest, curve, set, ordinate)));
+                    }
+                }
+            }
+        }
+    }
+    sheet
+}
+
+fn best(contest: &Contest, curve: &str, set: usize, ordinate: Ordinate) -> Vec<Cell> {
+    let all: Vec<(&Entry, Judged)> = contest
+        .curve(curve)
+        .filter_map(|entry| Some((entry, Judged::new(contest, entry, set, ordinate)?)))
+        .collect();
+    let of = |n: usize| Cell::from(format!("{n} of {}", all.len()));
+    let name = |entry: &Entry| Cell::from(entry.notation.to_string());
+    let faster = all.iter().filter_map(|(e, j)| Some((e, j.faster()?)));
+    let smaller = all.iter().filter_map(|(e, j)| Some((e, j.smaller()?, j)));
+    let fastest = faster.clone().max_by(|a, b| a.1.total_cmp(&b.1));
+    let smallest = smaller.clone().min_by(|a, b| a.1.total_cmp(&b.1));
+    vec![
+        of(faster.count()),
+        fastest.map(|f| name(f.0)).into(),
+        fastest.map(|f| f.1).into(),
+        of(smaller.count()),
+        smallest.map(|s| name(s.0)).into(),
+        smallest.map(|s| s.1).into(),
+        smallest.and_then(|s| s.2.smaller_with_triangles()).into(),
+    ]
+}
