@@ -5,7 +5,7 @@ use crate::plots::curve::{CurveChart, Line};
 use crate::run::PLOTS;
 use crate::selected::{Comparison, Contest, Ordinate, SETS};
 use crate::sheet::{Sheet, count};
-use crate::tables::selected as tables;
+use crate::tables::{selected as tables, summary};
 use maud::{Markup, PreEscaped, html};
 
 /// Nothing if nothing was compared.
@@ -17,7 +17,7 @@ pub fn section(
     if comparisons.is_empty() {
         return Ok(html! {});
     }
-    let summary = shown(vec![tables::summary(comparisons)], sheets);
+    let summary = shown(vec![summary::sheet(comparisons)], sheets);
     let mut scenes = Vec::new();
     for comparison in comparisons {
         scenes.push(scene(comparison, sheets, plots)?);

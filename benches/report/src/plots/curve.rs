@@ -1,7 +1,6 @@
 //! Cost over memory: what a structure costs, at every setting of its parameter.
 
 use super::{GRID, INK, failed, inline};
-use crate::sheet::number;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::ops::Range;
@@ -94,11 +93,15 @@ impl CurveChart<'_> {
             .label_style(FONT)
             .x_desc("memory without triangles, MB (logarithmic)")
             .y_desc(format!("{} (logarithmic)", self.cost))
-            .x_label_formatter(&|x| number(*x))
-            .y_label_formatter(&|y| number(*y))
+            .x_label_formatter(&tick)
+            .y_label_formatter(&tick)
             .draw()
             .map_err(failed)?;
-        let mut taken = Vec::new();
+        // No name upon a point.
+        let mut taken: Vec<[i32; 4]> = all()
+            .map(|p| chart.backend_coord(&(p.0, p.1)))
+            .map(|(x, y)| [x - 5, y - 5, x + 5, y + 5])
+            .collect();
         for (i, line) in self.lines.iter().enumerate() {
             let colour = COLOURS[i % COLOURS.len()];
             let joined = line.points.iter().map(|p| (p.0, p.1));
@@ -107,13 +110,22 @@ impl CurveChart<'_> {
                 .map_err(failed)?
                 .label(&line.name)
                 .legend(move |(x, y)| EmptyElement::at((x + 10, y)) + mark(i, colour));
-            for (x, y, name) in &line.points {
-                let offset = place(&mut taken, chart.backend_coord(&(*x, *y)), name);
-                let drawn = EmptyElement::at((*x, *y))
-                    + mark(i, colour)
-                    + Text::new(name.clone(), offset, SMALL.into_font().color(&colour));
-                chart.draw_series(std::iter::once(drawn)).map_err(failed)?;
+            let same = |a: &(f64, f64, String), b: &(f64, f64, String)| {
+                chart.backend_coord(&(a.0, a.1)) == chart.backend_coord(&(b.0, b.1))
+            };
+            let mut marks = Vec::new();
+            for points in line.points.chunk_by(same) {
+                let at = (points[0].0, points[0].1);
+                let names: Vec<&str> = points.iter().map(|p| p.2.as_str()).collect();
+                let name = names.join(", ");
+                let offset = place(&mut taken, chart.backend_coord(&at), &name);
+                marks.push(
+                    EmptyElement::at(at)
+                        + mark(i, colour)
+                        + Text::new(name, offset, SMALL.into_font().color(&colour)),
+                );
             }
+            chart.draw_series(marks).map_err(failed)?;
         }
         chart
             .configure_series_labels()
@@ -136,6 +148,11 @@ fn ticks(range: &Range<f64>) -> Vec<f64> {
     let powers = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
     let all = powers.flat_map(|power| steps.iter().map(move |step| step * 10f64.powi(power)));
     all.filter(|tick| range.contains(tick)).collect()
+}
+
+/// A round number, without what its product leaves in the last digits.
+fn tick(x: &f64) -> String {
+    ((x * 1e6).round() / 1e6).to_string()
 }
 
 /// A polygon, of as many corners as tell a line from the others.

@@ -4,6 +4,7 @@ use super::contest::Contest;
 use super::curves::RECURSIVE;
 use super::entry::Entry;
 use super::equal::{CostCurve, Reading};
+use crate::sheet::number;
 
 /// What is set against memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,5 +81,23 @@ impl Judged {
     pub fn smaller_with_triangles(&self) -> Option<f64> {
         let other = self.equal_cost.at()?;
         Some((self.megabytes + self.triangles) / (other + self.triangles))
+    }
+
+    /// Where there is no recursive grid of this memory.
+    pub fn beyond_memory(&self) -> Option<String> {
+        match self.equal_memory {
+            Reading::At(_) => None,
+            Reading::Below(least) => Some(format!("smaller than any ({} MB)", number(least))),
+            Reading::Above(most) => Some(format!("larger than any ({} MB)", number(most))),
+        }
+    }
+
+    /// Where there is none of this cost.
+    pub fn beyond_cost(&self) -> Option<String> {
+        match self.equal_cost {
+            Reading::At(_) => None,
+            Reading::Below(least) => Some(format!("cheaper than any ({})", number(least))),
+            Reading::Above(first) => Some(format!("dearer than the smallest ({})", number(first))),
+        }
     }
 }

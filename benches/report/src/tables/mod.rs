@@ -6,6 +6,7 @@ pub mod occupancy;
 pub mod performance;
 pub mod rendering;
 pub mod selected;
+pub mod summary;
 
 use crate::sheet::Cell;
 

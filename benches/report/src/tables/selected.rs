@@ -2,9 +2,8 @@
 //! equal cost.
 
 use crate::selected::curves::RECURSIVE;
-use crate::selected::equal::Reading;
 use crate::selected::{Comparison, Contest, Entry, Judged, Ordinate, SETS};
-use crate::sheet::{Cell, Sheet, number};
+use crate::sheet::{Cell, Sheet};
 
 /// The tables of a scene with one kind of walk.
 pub fn sheets(comparison: &Comparison, contest: &Contest) -> Vec<Sheet> {
@@ -114,85 +113,14 @@ fn equal(comparison: &Comparison, contest: &Contest, ordinate: Ordinate) -> Shee
                 judged.equal_cost.at().into(),
                 judged.smaller().into(),
                 judged.smaller_with_triangles().into(),
-                beyond(&judged).into(),
+                [judged.beyond_memory(), judged.beyond_cost()]
+                    .into_iter()
+                    .flatten()
+                    .collect::<Vec<_>>()
+                    .join("; ")
+                    .into(),
             ]);
         }
     }
     sheet
-}
-
-/// Where there is no recursive grid to compare with.
-pub fn beyond(judged: &Judged) -> String {
-    let memory = match judged.equal_memory {
-        Reading::At(_) => None,
-        Reading::Below(least) => Some(format!("smaller than any ({} MB)", number(least))),
-        Reading::Above(most) => Some(format!("larger than any ({} MB)", number(most))),
-    };
-    let cost = match judged.equal_cost {
-        Reading::At(_) => None,
-        Reading::Below(least) => Some(format!("cheaper than any ({})", number(least))),
-        Reading::Above(first) => Some(format!("dearer than the smallest ({})", number(first))),
-    };
-    memory.into_iter().chain(cost).collect::<Vec<_>>().join("; ")
-}
-
-/// Over all scenes: each curve's best, and how much of it was within range.
-pub fn summary(comparisons: &[Comparison]) -> Sheet {
-    let head = [
-        "scene",
-        "walk",
-        "curve",
-        "rays",
-        "by",
-        "at equal memory: of",
-        "best at",
-        "times as fast or cheap",
-        "at equal cost: of",
-        "best at",
-        "share of memory",
-        "with triangles",
-    ];
-    let title = "Section 7.5: each curve beside the recursive grid, at its best";
-    let mut sheet = Sheet::new("selected_summary", title, &head).noted(
-        "Of: structures of the curve that have a recursive grid of their memory, or of their cost, \
-         to be compared with; the best of these follows. Best: the most times as fast, or \
-         by work as cheap; the smallest share of memory.",
-    );
-    for comparison in comparisons {
-        for contest in &comparison.contests {
-            for curve in contest.curves().into_iter().filter(|&curve| curve != RECURSIVE) {
-                for (set, rays) in SETS.iter().enumerate() {
-                    for ordinate in Ordinate::ALL {
-                        let head = [&comparison.short, contest.walk.text(), curve, rays];
-                        let head = head.map(Cell::from).into_iter();
-                        let head = head.chain([Cell::from(ordinate.file())]);
-                        sheet.row(head.chain(best(contest, curve, set, ordinate)));
-                    }
-                }
-            }
-        }
-    }
-    sheet
-}
-
-fn best(contest: &Contest, curve: &str, set: usize, ordinate: Ordinate) -> Vec<Cell> {
-    let all: Vec<(&Entry, Judged)> = contest
-        .curve(curve)
-        .filter_map(|entry| Some((entry, Judged::new(contest, entry, set, ordinate)?)))
-        .collect();
-    let of = |n: usize| Cell::from(format!("{n} of {}", all.len()));
-    let name = |entry: &Entry| Cell::from(entry.notation.to_string());
-    let faster = all.iter().filter_map(|(e, j)| Some((e, j.faster()?)));
-    let smaller = all.iter().filter_map(|(e, j)| Some((e, j.smaller()?, j)));
-    let fastest = faster.clone().max_by(|a, b| a.1.total_cmp(&b.1));
-    let smallest = smaller.clone().min_by(|a, b| a.1.total_cmp(&b.1));
-    vec![
-        of(faster.count()),
-        fastest.map(|f| name(f.0)).into(),
-        fastest.map(|f| f.1).into(),
-        of(smaller.count()),
-        smallest.map(|s| name(s.0)).into(),
-        smallest.map(|s| s.1).into(),
-        smallest.and_then(|s| s.2.smaller_with_triangles()).into(),
-    ]
 }

@@ -1,13 +1,13 @@
 //! Claims of section 7.5, and of section 8 from it: the HUG at equal memory and at equal time.
 
+mod scenes;
 mod tuned;
 
-use self::tuned::{HUG, PRIMARY, Tuned, time};
+use self::tuned::{HUG, PRIMARY, TARGET, Tuned, time};
 use super::{Claim, Verdict};
 use crate::selected::equal::Reading;
-use crate::selected::{Comparison, Entry, Judged, Ordinate, Walk};
+use crate::selected::{Comparison, Entry, Judged, Walk};
 use crate::sheet::number;
-use crate::tables::selected::beyond;
 
 const NEEDED: &str = "the scene in rMAXP and u.f2.ALPHA";
 
@@ -33,8 +33,8 @@ pub fn claims(all: &[Comparison]) -> Vec<Claim> {
             "Two to three times as fast in the same memory: building",
             "2 to 3",
         ),
-        architecture(all),
-        less_favourable(all),
+        scenes::architecture(all),
+        scenes::less_favourable(all),
     ]
 }
 
@@ -84,9 +84,16 @@ fn equal_time(all: &[Comparison], short: &str, what: &'static str, paper: &'stat
     };
     let share = tuned.judged.smaller();
     let faster_than_all = matches!(tuned.judged.equal_cost, Reading::Below(_));
-    let ours = match share {
-        Some(share) => format!("{} of the memory", number(share)),
-        None => format!("no recursive grid to compare with: {}", beyond(&tuned.judged)),
+    let at_equal = match share {
+        Some(share) => format!("{} of the memory of the recursive grid as fast", number(share)),
+        None => format!(
+            "no recursive grid as fast and no faster: {}",
+            tuned.judged.beyond_cost().unwrap_or_default()
+        ),
+    };
+    let ours = match tuned.share_of_target() {
+        Some(of_target) => format!("{at_equal}; {} of that of {TARGET}", number(of_target)),
+        None => format!("{at_equal}; no HUG as fast as {TARGET}"),
     };
     let exits = Tuned::of(all, short, Walk::Exits, false).and_then(|t| t.judged.smaller());
     Claim {
@@ -116,7 +123,10 @@ fn equal_memory(all: &[Comparison], short: &str, what: &'static str, paper: &'st
     let faster = tuned.judged.faster();
     let ours = match faster {
         Some(faster) => format!("{} times as fast", number(faster)),
-        None => format!("no recursive grid to compare with: {}", beyond(&tuned.judged)),
+        None => format!(
+            "no recursive grid of its memory: {}",
+            tuned.judged.beyond_memory().unwrap_or_default()
+        ),
     };
     let exits = Tuned::of(all, short, Walk::Exits, true).and_then(|t| t.judged.faster());
     Claim {
@@ -134,77 +144,6 @@ fn equal_memory(all: &[Comparison], short: &str, what: &'static str, paper: &'st
             or_not(tuned.by_work().and_then(|j| j.faster())),
             or_not(exits),
             tuned.along(Judged::faster, true)
-        ),
-    }
-}
-
-fn architecture(all: &[Comparison]) -> Claim {
-    let what = "The improved HUG is three times faster than the recursive grid on architecture \
-                (section 8)";
-    let paper = "3";
-    let best = |short| {
-        let contest = all.iter().find(|c| c.short == short)?.contest(Walk::Steps)?;
-        let hugs = contest.entries.iter().filter(|e| e.curve.starts_with("u."));
-        let ratios = hugs.filter_map(|e| {
-            let faster = Judged::new(contest, e, PRIMARY, Ordinate::Time)?.faster()?;
-            Some((faster, e.name.clone()))
-        });
-        let best = ratios.clone().max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some((best, ratios.count()))
-    };
-    let (Some((kitchen, kitchens)), Some((building, buildings))) = (best("kit"), best("csb"))
-    else {
-        return Claim::missing(what, paper, "the kitchen and the building in rMAXP and HUGs");
-    };
-    let text = |(x, name): &(f64, String)| format!("{} ({name})", number(*x));
-    Claim {
-        what,
-        paper,
-        ours: format!("at best {}, {}", text(&kitchen), text(&building)),
-        verdict: Verdict::of(
-            kitchen.0 >= 2.5 && building.0 >= 2.5,
-            kitchen.0 >= 1.5 || building.0 >= 1.5,
-        ),
-        reason: format!(
-            "over the {kitchens} and {buildings} HUGs in whose memory there is a recursive grid of MAXP \
-             from 10 to 1000; primary rays, steps of one voxel"
-        ),
-    }
-}
-
-fn less_favourable(all: &[Comparison]) -> Claim {
-    let what = "On the garden and the city the HUG does less well than on architecture";
-    let paper = "\"the situation is less favorable\"";
-    let ratio = |short| {
-        let tuned = Tuned::of(all, short, Walk::Steps, true)?;
-        Some((tuned.judged.faster()?, tuned.hug.volume))
-    };
-    let scenes = ["kit", "csb", "gar", "city"];
-    let found: Option<Vec<(f64, f64)>> = scenes.into_iter().map(ratio).collect();
-    let Some(found) = found else {
-        return Claim::missing(
-            what,
-            paper,
-            "kitchen, building, garden and city, each with a recursive grid of the HUG's memory",
-        );
-    };
-    let list = |of: fn(&(f64, f64)) -> f64| {
-        let each = scenes.iter().zip(&found).map(|(s, f)| format!("{s} {}", number(of(f))));
-        each.collect::<Vec<_>>().join(", ")
-    };
-    let [kitchen, building, garden, city] = [0, 1, 2, 3].map(|i| found[i].0);
-    Claim {
-        what,
-        paper,
-        ours: format!("times as fast at equal memory: {}", list(|f| f.0)),
-        verdict: Verdict::of(
-            garden.max(city) < kitchen.min(building),
-            garden + city < kitchen + building,
-        ),
-        reason: format!(
-            "the tuned two-level HUG, primary rays; where clusters overlap a ray crosses the same \
-             space in several grids: sum of %vol {}",
-            list(|f| f.1)
         ),
     }
 }

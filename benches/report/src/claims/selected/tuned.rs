@@ -5,7 +5,7 @@ use crate::sheet::number;
 
 /// The HUG that is tuned, and the recursive grid that it is tuned to.
 pub const HUG: &str = "u.f2.ALPHA";
-const TARGET: &str = "r50";
+pub const TARGET: &str = "r50";
 /// Times within this factor are equal.
 const SAME: f64 = 1.1;
 /// Primary rays, as the paper's pictures begin with.
@@ -17,6 +17,10 @@ pub fn time(entry: &Entry) -> f64 {
 
 fn judged(contest: &Contest, entry: &Entry) -> Option<Judged> {
     Judged::new(contest, entry, PRIMARY, Ordinate::Time)
+}
+
+fn as_fast(entry: &Entry, target: &Entry) -> bool {
+    time(entry) <= SAME * time(target)
 }
 
 /// The smallest HUG that is as fast as the target; if none is, the fastest.
@@ -37,11 +41,17 @@ impl<'a> Tuned<'a> {
             |e: &&Entry| judged(contest, e).is_some_and(|j| j.equal_memory.at().is_some());
         let any = contest.curve(HUG).any(|e| has_equal(&e));
         let hugs = || contest.curve(HUG).filter(|e| !(comparable && any) || has_equal(e));
-        let fast = |e: &&Entry| time(e) <= SAME * time(target);
-        let smallest = hugs().filter(fast).min_by(|a, b| a.megabytes().total_cmp(&b.megabytes()));
+        let smallest = hugs()
+            .filter(|e| as_fast(e, target))
+            .min_by(|a, b| a.megabytes().total_cmp(&b.megabytes()));
         let fastest = || hugs().min_by(|a, b| time(a).total_cmp(&time(b)));
         let hug = smallest.or_else(fastest)?;
         Some(Self { contest, hug, target, judged: judged(contest, hug)? })
+    }
+
+    /// The share of the target's memory, if it is as fast.
+    pub fn share_of_target(&self) -> Option<f64> {
+        as_fast(self.hug, self.target).then(|| self.hug.megabytes() / self.target.megabytes())
     }
 
     pub fn by_work(&self) -> Option<Judged> {
