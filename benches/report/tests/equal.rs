@@ -49,10 +49,11 @@ fn the_least_memory_counts_where_the_cost_rises_again() {
 }
 
 #[test]
-fn of_one_size_the_cheaper_counts() {
-    let curve = curve(&[(2.0, 50.0), (2.0, 40.0), (1.0, 80.0), (2.0, 45.0)]);
-    near(curve.cost_at(2.0), 40.0);
-    near(curve.memory_at(40.0), 2.0);
+fn of_one_size_the_mean_counts() {
+    let curve = curve(&[(2.0, 10.0), (2.0, 40.0), (1.0, 80.0), (2.0, 20.0)]);
+    near(curve.cost_at(2.0), 20.0);
+    near(curve.cost_at(2f64.sqrt()), 40.0);
+    near(curve.memory_at(40.0), 2f64.sqrt());
 }
 
 #[test]

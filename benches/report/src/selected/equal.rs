@@ -20,7 +20,8 @@ impl Reading {
     }
 }
 
-/// Cost over memory, least memory first: of two structures of the same size the cheaper.
+/// Cost over memory, least memory first. Structures of the same size are as a rule the same, timed
+/// twice: their geometric mean counts, for the least would only be the luckiest.
 #[derive(Clone, Debug)]
 pub struct CostCurve(Vec<(f64, f64)>);
 
@@ -30,8 +31,12 @@ impl CostCurve {
         let proper = |x: f64| x.is_finite() && x > 0.0;
         let mut points: Vec<(f64, f64)> =
             points.into_iter().filter(|p| proper(p.0) && proper(p.1)).collect();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        points.dedup_by_key(|p| p.0);
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mean = |same: &[(f64, f64)]| {
+            let logs: f64 = same.iter().map(|p| (p.1 / same[0].1).ln()).sum();
+            (same[0].0, same[0].1 * (logs / same.len() as f64).exp())
+        };
+        let points: Vec<(f64, f64)> = points.chunk_by(|a, b| a.0 == b.0).map(mean).collect();
         (!points.is_empty()).then_some(Self(points))
     }
 
