@@ -1,6 +1,7 @@
 //! The command line, and what it asks to be measured.
 
-use clap::Parser;
+use crate::selected::Curve;
+use clap::{Parser, ValueEnum};
 use hug_bench::notation::{Configuration, Notation, scene};
 use std::path::PathBuf;
 
@@ -24,6 +25,15 @@ pub struct Args {
     /// One scene in one structure, as kit.u.f3.sqrt2 or csbc.r50; again or with commas
     #[arg(long, value_delimiter = ',')]
     pub config: Vec<Configuration>,
+    /// What to make; both unless given. The selected results have structures of their own, so
+    /// with --structure or --config only the instruments are made
+    #[arg(long, value_enum, value_delimiter = ',')]
+    pub part: Vec<Part>,
+    /// What the selected results set beside recursive grids of MAXP from 10 to 1000: a structure,
+    /// ALPHA in it for each of several subdivisions of the world; again or with commas.
+    /// u.f2.ALPHA, u.f3.ALPHA, g and auto unless given
+    #[arg(long, value_delimiter = ',')]
+    pub curve: Vec<Curve>,
     /// Pixels along each side of a picture; the paper's had 250
     #[arg(long, default_value_t = 250, value_parser = clap::value_parser!(u32).range(1..=2048))]
     pub size: u32,
@@ -33,6 +43,15 @@ pub struct Args {
     /// No progress bar
     #[arg(long)]
     pub quiet: bool,
+}
+
+/// A part of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Part {
+    /// Sections 2 to 6: tables, charts, pictures, call costs
+    Instruments,
+    /// Section 7.5: time and memory of HUGs and recursive grids
+    Selected,
 }
 
 /// A scene and the structures to build of it; with none, those of the paper.
@@ -45,6 +64,29 @@ pub struct Job {
 const PAPER: [&str; 4] = ["kitchen", "building", "city", "garden"];
 
 impl Args {
+    /// Whether a part is asked for.
+    pub fn wants(&self, part: Part) -> bool {
+        let own = !self.structure.is_empty() || !self.config.is_empty();
+        match &self.part[..] {
+            [] => part == Part::Instruments || !own,
+            given => given.contains(&part),
+        }
+    }
+
+    /// Whether the parts asked for go together with the structures asked for.
+    pub fn check(&self) -> Result<(), String> {
+        let own = !self.structure.is_empty() || !self.config.is_empty();
+        if own && self.part.contains(&Part::Selected) {
+            return Err("--part selected: name its structures by --curve, not by --structure or \
+                        --config"
+                .into());
+        }
+        if !self.curve.is_empty() && !self.wants(Part::Selected) {
+            return Err("--curve: only for --part selected".into());
+        }
+        Ok(())
+    }
+
     /// What to measure, every scene once.
     pub fn jobs(&self) -> Vec<Job> {
         let mut jobs: Vec<Job> = Vec::new();

@@ -1,6 +1,6 @@
 //! The paper's measurements as a report: one page, and its tables as CSV.
 //!
-//! `args` says what to measure, `measure` does, `tables` and `claims` put it beside the paper's
+//! `args` says what to measure, `measure` and `selected` do, `tables` and `claims` put it beside the paper's
 //! figures, `plots` and `pictures` draw it, `page` joins all.
 
 pub mod args;
@@ -11,5 +11,6 @@ pub mod pictures;
 pub mod plots;
 pub mod progress;
 pub mod run;
+pub mod selected;
 pub mod sheet;
 pub mod tables;

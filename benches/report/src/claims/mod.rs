@@ -3,9 +3,11 @@
 mod calls;
 mod costs;
 mod occupancy;
+mod selected;
 mod time;
 
 use crate::measure::{Built, Subject};
+use crate::selected::Comparison;
 use crate::sheet::{Cell, Sheet};
 
 /// What becomes of a claim.
@@ -73,10 +75,18 @@ impl<'a> Evidence<'a> {
     }
 }
 
-pub fn all(subjects: &[Subject]) -> Vec<Claim> {
-    let evidence = Evidence(subjects);
-    let all = [occupancy::claims, calls::claims, costs::claims, time::claims];
-    all.into_iter().flat_map(|claims| claims(&evidence)).collect()
+/// Those of the parts that were measured.
+pub fn all(subjects: &[Subject], comparisons: &[Comparison]) -> Vec<Claim> {
+    let mut claims = Vec::new();
+    if !subjects.is_empty() {
+        let evidence = Evidence(subjects);
+        let all = [occupancy::claims, calls::claims, costs::claims, time::claims];
+        claims.extend(all.into_iter().flat_map(|claims| claims(&evidence)));
+    }
+    if !comparisons.is_empty() {
+        claims.extend(selected::claims(comparisons));
+    }
+    claims
 }
 
 pub fn sheet(claims: &[Claim]) -> Sheet {

@@ -1,35 +1,29 @@
-//! Claims about time, and about time for memory.
+//! Claims about time.
 
 use super::{Claim, Evidence, Verdict};
-use crate::measure::{Built, Subject};
+use crate::measure::Built;
 use crate::sheet::number;
 use hug::Calls;
 
 pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
-    let mut claims = vec![uniform_slower(e), root_two(e)];
-    claims.push(equal_memory(
-        e,
-        "kit",
-        "At equal memory the HUG is two to three times faster than the recursive grid: kitchen",
-    ));
-    claims.push(equal_memory(e, "csb", "The same: building"));
-    claims.push(equal_time(e, "kit", "At equal time the HUG needs half the memory: kitchen"));
-    claims.push(equal_time(e, "csb", "The same: building"));
-    claims.push(growth(
-        e,
-        "u.f3.sqrt2",
-        "From the wide view to the bowl view time grows: HUG",
-        "1.29",
-        1.29,
-    ));
-    claims.push(growth(
-        e,
-        "r50",
-        "From the wide view to the bowl view time grows: recursive grid",
-        "1.37",
-        1.37,
-    ));
-    claims
+    vec![
+        uniform_slower(e),
+        root_two(e),
+        growth(
+            e,
+            "u.f3.sqrt2",
+            "From the wide view to the bowl view time grows: HUG",
+            "1.29",
+            1.29,
+        ),
+        growth(
+            e,
+            "r50",
+            "From the wide view to the bowl view time grows: recursive grid",
+            "1.37",
+            1.37,
+        ),
+    ]
 }
 
 fn uniform_slower(e: &Evidence<'_>) -> Claim {
@@ -96,99 +90,6 @@ fn root_two(e: &Evidence<'_>) -> Claim {
              where tests are cheap beside steps the two cancel",
             number(fewer),
             number(more)
-        ),
-    }
-}
-
-/// The HUG that the paper compares in section 7.5.
-const HUG: &str = "u.f2.sqrt2";
-
-fn contest<'a>(e: &Evidence<'a>, scene: &str) -> Option<(&'a Subject, &'a Built, f64)> {
-    let subject = e.scene(scene)?;
-    let hug = subject.find(HUG)?;
-    Some((subject, hug, hug.time(0)?))
-}
-
-fn equal_memory(e: &Evidence<'_>, scene: &str, what: &'static str) -> Claim {
-    let paper = if scene == "kit" { "2.3 (103 s against 45)" } else { "2 to 3" };
-    let missing = || Claim::missing(what, paper, "recursive grids of many MAXP and u.f2.sqrt2");
-    let Some((subject, hug, time)) = contest(e, scene) else { return missing() };
-    // The finest that takes no more; if all take more, the one that takes least.
-    let fits = |b: &&&Built| b.megabytes() <= hug.megabytes();
-    let all = subject.all_recursive();
-    let least = || all.iter().min_by(|a, b| a.megabytes().total_cmp(&b.megabytes()));
-    let other = all.iter().find(fits).or_else(least);
-    let Some((other, theirs)) = other.and_then(|b| Some((*b, b.time(0)?))) else {
-        return missing();
-    };
-    let ratio = theirs / time;
-    let tests = |b: &Built| b.calls(0).tests as f64;
-    let voxels = |b: &Built| b.calls(0).voxels as f64;
-    Claim {
-        what,
-        paper,
-        ours: format!("{} times as fast as {}", number(ratio), other.name),
-        verdict: Verdict::of(ratio >= 1.8, ratio >= 1.1),
-        reason: format!(
-            "view {}: {} MB against {}; the recursive grid makes {} times the tests and traverses \
-             {} times the voxels; sum of %vol of the HUG {}",
-            subject.frames[0].view,
-            number(hug.megabytes()),
-            number(other.megabytes()),
-            number(tests(other) / tests(hug)),
-            number(voxels(other) / voxels(hug)),
-            number(100.0 * hug.stats.total.volume)
-        ),
-    }
-}
-
-/// Times within this factor are equal.
-const SAME: f64 = 1.1;
-
-fn equal_time(e: &Evidence<'_>, scene: &str, what: &'static str) -> Claim {
-    let paper = if scene == "kit" { "3.99 against 7.87 MB" } else { "half" };
-    let missing = || Claim::missing(what, paper, "recursive grids of many MAXP and u.f2.sqrt2");
-    let Some((subject, hug, time)) = contest(e, scene) else { return missing() };
-    // The smallest that is no slower, as far as a clock can tell.
-    let fast = |b: &&&Built| b.time(0).is_some_and(|t| t <= SAME * time);
-    let all = subject.all_recursive();
-    let smallest =
-        all.iter().filter(fast).min_by(|a, b| a.megabytes().total_cmp(&b.megabytes())).copied();
-    let Some(other) = smallest else {
-        let fastest = all.iter().filter_map(|b| b.time(0)).fold(f64::INFINITY, f64::min);
-        return Claim {
-            what,
-            paper,
-            ours: "no recursive grid is as fast".into(),
-            verdict: Verdict::Holds,
-            reason: format!(
-                "the fastest of {} takes {} ms, the HUG {} ms in {} MB",
-                all.len(),
-                number(1e3 * fastest),
-                number(1e3 * time),
-                number(hug.megabytes())
-            ),
-        };
-    };
-    let ratio = hug.megabytes() / other.megabytes();
-    Claim {
-        what,
-        paper,
-        ours: format!(
-            "{} against {} MB ({})",
-            number(hug.megabytes()),
-            number(other.megabytes()),
-            other.name
-        ),
-        verdict: Verdict::of(ratio <= 0.6, ratio <= 0.9),
-        reason: format!(
-            "view {}: {} ms against {} ms of the smallest recursive grid that is no slower; \
-             pointers {} against {}",
-            subject.frames[0].view,
-            number(1e3 * time),
-            number(1e3 * other.time(0).unwrap_or_default()),
-            hug.stats.total.pointers(),
-            other.stats.total.pointers()
         ),
     }
 }

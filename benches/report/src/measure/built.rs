@@ -41,14 +41,13 @@ impl Plain {
 }
 
 impl Built {
-    /// Counts everything; `whole` with slices and maps, which take memory.
+    /// Counts everything.
     pub fn of(
         plain: &Plain,
         loaded: &Loaded,
         short: &str,
         frames: &[Frame],
         times: &[Spread],
-        whole: bool,
     ) -> Self {
         let view = plain.scene.view();
         let stats = Stats::of(&view);
@@ -60,8 +59,8 @@ impl Built {
             stats,
             histograms: levels.map(|level| Occupancy::histogram(&view, Some(level))).collect(),
             seconds: plain.seconds,
-            rendered: frames.map(|(f, &t)| Rendered::new(f, &view, t, whole)).collect(),
-            slices: if whole { slice::both(&view, &loaded.mesh) } else { Vec::new() },
+            rendered: frames.map(|(f, &t)| Rendered::new(f, &view, t)).collect(),
+            slices: slice::both(&view, &loaded.mesh),
         }
     }
 

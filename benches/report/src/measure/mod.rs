@@ -23,7 +23,7 @@ pub const SHARE: f64 = 0.2;
 const CALL_ROUNDS: usize = 3;
 
 /// Views of a scene that are rendered.
-const VIEWS: usize = 2;
+pub const VIEWS: usize = 2;
 
 /// One scene, measured.
 pub struct Subject {
@@ -37,12 +37,7 @@ pub struct Subject {
     pub built: Vec<Built>,
     /// What their calls cost, by frame and structure.
     pub costs: Vec<Vec<Costs>>,
-    /// More recursive grids, for memory against time.
-    pub recursive: Vec<Built>,
 }
-
-/// MAXP of the recursive grids that memory and time are compared over.
-const CURVE: [u32; 9] = [10, 25, 50, 100, 200, 350, 500, 1000, 2000];
 
 impl Subject {
     pub fn measure(job: &Job, size: u32, rounds: u32, bar: &Progress) -> Result<Self, String> {
@@ -62,24 +57,16 @@ impl Subject {
             [] => paper_structures(&short, lengths.count),
             given => given.to_vec(),
         };
-        let curve = CURVE.map(Notation::Recursive);
-        let more: Vec<Notation> = if job.structures.is_empty() {
-            curve.into_iter().filter(|n| !structures.contains(n)).collect()
-        } else {
-            Vec::new()
-        };
-        let all: Vec<&Notation> = structures.iter().chain(&more).collect();
-        bar.more(2 * all.len() + 2 * frames.len());
+        bar.more(2 * structures.len() + 2 * frames.len());
         let step = |what: &str| bar.at(&format!("{short}: {what}"));
-        let build = |notation: &&Notation| {
+        let build = |notation: &Notation| {
             step(&format!("building {notation}"));
-            let plain = Plain::build(&loaded, **notation);
+            let plain = Plain::build(&loaded, *notation);
             bar.done();
             plain.map_err(|error| format!("{short}.{error}"))
         };
-        let plain: Vec<Plain> = all.iter().map(build).collect::<Result<_, _>>()?;
+        let plain: Vec<Plain> = structures.iter().map(build).collect::<Result<_, _>>()?;
         let views: Vec<View<'_>> = plain.iter().map(|p| p.scene.view()).collect();
-        let asked = &views[..structures.len()];
         let (mut times, mut costs) = (Vec::new(), Vec::new());
         for frame in &frames {
             step(&format!("timing view {}", frame.view));
@@ -87,37 +74,22 @@ impl Subject {
             bar.done();
             step(&format!("timing the calls of view {}", frame.view));
             let rays = Rays::of(&frame.primary, &frame.shadow);
-            costs.push(costs::measure(asked, &rays, CALL_ROUNDS * rounds as usize));
+            costs.push(costs::measure(&views, &rays, CALL_ROUNDS * rounds as usize));
             bar.done();
         }
         let count = |(i, plain): (usize, &Plain)| {
             step(&format!("counting in {}", plain.notation));
             let times: Vec<Spread> = times.iter().map(|of: &Vec<Spread>| of[i]).collect();
-            let whole = i < structures.len();
-            let built = Built::of(plain, &loaded, &short, &frames, &times, whole);
+            let built = Built::of(plain, &loaded, &short, &frames, &times);
             bar.done();
             built
         };
-        let mut built: Vec<Built> = plain.iter().enumerate().map(count).collect();
-        let recursive = built.split_off(structures.len());
-        Ok(Self { loaded, short, lengths, length_counts, frames, built, costs, recursive })
+        let built = plain.iter().enumerate().map(count).collect();
+        Ok(Self { loaded, short, lengths, length_counts, frames, built, costs })
     }
 
-    /// A structure by its notation, among all that were built.
+    /// A structure by its notation, if it was built.
     pub fn find(&self, notation: &str) -> Option<&Built> {
-        let all = self.built.iter().chain(&self.recursive);
-        all.into_iter().find(|built| built.notation.to_string() == notation)
-    }
-
-    /// All recursive grids, the finest first.
-    pub fn all_recursive(&self) -> Vec<&Built> {
-        let maxp = |built: &Built| match built.notation {
-            Notation::Recursive(maxp) => Some(maxp),
-            _ => None,
-        };
-        let mut all: Vec<&Built> =
-            self.built.iter().chain(&self.recursive).filter(|b| maxp(b).is_some()).collect();
-        all.sort_by_key(|b| maxp(b));
-        all
+        self.built.iter().find(|built| built.notation.to_string() == notation)
     }
 }

@@ -64,7 +64,7 @@ pub struct Rendered {
 }
 
 impl Rendered {
-    pub fn new(frame: &Frame, view: &View<'_>, seconds: Spread, maps: bool) -> Self {
+    pub fn new(frame: &Frame, view: &View<'_>, seconds: Spread) -> Self {
         let mut profile = Profile::default();
         let pixels = (frame.size * frame.size) as usize;
         let (mut tests, mut voxels) = (vec![0; pixels], vec![0; pixels]);
@@ -77,9 +77,6 @@ impl Rendered {
         }
         for ray in &frame.shadow {
             view.occluded_profiled(ray, &mut profile);
-        }
-        if !maps {
-            (tests, voxels) = (Vec::new(), Vec::new());
         }
         Self { profile, seconds, tests, voxels }
     }

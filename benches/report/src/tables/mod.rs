@@ -5,6 +5,8 @@ pub mod lengths;
 pub mod occupancy;
 pub mod performance;
 pub mod rendering;
+pub mod selected;
+pub mod summary;
 
 use crate::sheet::Cell;
 

@@ -33,7 +33,7 @@ fn sheet(subject: &Subject, frame: usize) -> Sheet {
          structures take turns. MB is without the triangles themselves. The \
          paper's times are of a machine of 1997.",
     );
-    for built in subject.built.iter().chain(&subject.recursive) {
+    for built in &subject.built {
         let rendered = &built.rendered[frame];
         let c = rendered.profile.total();
         let cells = [Cell::from(built.name.clone()), OURS.into()];

@@ -1,33 +1,47 @@
 //! The page: everything in one file.
 
+mod selected;
+
 use crate::claims::{self, Claim};
 use crate::measure::{Built, CLASSES, SHARE, Subject};
 use crate::pictures::{Gallery, heat, slice};
-use crate::plots::curve;
 use crate::plots::distribution::Distribution;
+use crate::selected::Comparison;
 use crate::sheet::Sheet;
 use crate::tables::{costs, lengths, occupancy, performance, rendering};
 use hug::cumulated;
 use hug_bench::machine;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-const STYLE: &str = include_str!("style.css");
+const STYLE: &str = include_str!("../style.css");
 
 /// The page, and the tables and pictures on it.
 pub struct Report {
     pub page: String,
     pub sheets: Vec<Sheet>,
     pub gallery: Gallery,
+    /// The plots of the selected results, by name.
+    pub plots: Vec<(String, String)>,
 }
 
 impl Report {
-    pub fn new(subjects: &[Subject], command: &str) -> Result<Self, String> {
-        let judged: Vec<Claim> = claims::all(subjects);
-        let mut sheets = vec![lengths::sheet(subjects), claims::sheet(&judged)];
+    /// Of scenes whose instruments were read, and of those whose structures were compared.
+    pub fn new(
+        subjects: &[Subject],
+        comparisons: &[Comparison],
+        command: &str,
+    ) -> Result<Self, String> {
+        let judged: Vec<Claim> = claims::all(subjects, comparisons);
+        let mut sheets = vec![claims::sheet(&judged)];
+        let claims = sheets[0].page();
+        let lengths = (!subjects.is_empty()).then(|| lengths::sheet(subjects));
+        let scenes = shown(lengths.into_iter().collect(), &mut sheets);
         let (mut sections, mut gallery) = (Vec::new(), Gallery::default());
         for subject in subjects {
             sections.push(section(subject, &mut sheets, &mut gallery)?);
         }
+        let mut plots = Vec::new();
+        let selected = selected::section(comparisons, &mut sheets, &mut plots)?;
         let title = "hug: the paper's instruments";
         let page = html! {
             (DOCTYPE)
@@ -46,14 +60,15 @@ impl Report {
                     (reading())
                     nav { a href="#claims" { "claims" } @for s in subjects {
                         " " a href={ "#" (s.short) } { (s.loaded.name) }
-                    } }
-                    section { h2 { "Scenes" } (sheets[0].page()) }
-                    section #claims { h2 { "Claims" } (sheets[1].page()) }
+                    } @if !comparisons.is_empty() { " " a href="#selected" { "selected results" } } }
+                    @for table in &scenes { section { h2 { "Scenes" } (table) } }
+                    section #claims { h2 { "Claims" } (claims) }
                     @for section in &sections { (section) }
+                    (selected)
                 }
             }
         };
-        Ok(Self { page: page.into_string(), sheets, gallery })
+        Ok(Self { page: page.into_string(), sheets, gallery, plots })
     }
 }
 
@@ -101,9 +116,6 @@ fn section(
             (heat::views(subject, gallery)?)
             h3 { "Performance" }
             @for table in &performance { (table) }
-            @if let Some(chart) = curve_chart(subject)? {
-                figure.plot { (PreEscaped(chart)) }
-            }
             h3 { "Structures" }
             @for part in &structures { (part) }
             h3 { "Pictures" }
@@ -182,18 +194,4 @@ fn length_chart(subject: &Subject) -> Result<String, String> {
         width: SHARE / CLASSES as f64,
     }
     .svg()
-}
-
-/// Time over memory, in the first view.
-fn curve_chart(subject: &Subject) -> Result<Option<String>, String> {
-    let point = |b: &Built| Some((b.megabytes(), 1e3 * b.time(0)?, b.notation.to_string()));
-    let recursive = subject.all_recursive();
-    if recursive.len() < 3 || subject.frames.is_empty() {
-        return Ok(None);
-    }
-    let line: Vec<_> = recursive.iter().filter_map(|b| point(b)).collect();
-    let others = subject.built.iter().filter(|b| !recursive.iter().any(|r| r.name == b.name));
-    let dots: Vec<_> = others.filter_map(point).collect();
-    let title = format!("{}, view {}: time for memory", subject.short, subject.frames[0].view);
-    curve::svg(&title, &line, &dots).map(Some)
 }
