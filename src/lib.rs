@@ -54,7 +54,9 @@ pub use arena::View;
 pub use builder::Builder;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
-pub use options::{Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure};
+pub use options::{
+    Clustering, Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Quality, Structure,
+};
 pub use probe::{Nearest, Probe};
 pub use ray::{Hit, NONE, Ray};
 #[cfg(feature = "alloc")]

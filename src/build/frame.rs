@@ -45,8 +45,13 @@ pub struct Grid {
 pub struct Rule {
     pub gridding: Gridding,
     pub alpha: f32,
+    /// The power that overlap numbers act with.
+    pub power: f32,
     /// Counts that were asked for, or zeros.
     pub counts: [u32; 3],
+    /// What counts are multiplied with along each axis, give or take a factor for all,
+    /// where the gridding looks at overlap numbers; ones elsewhere.
+    pub weights: [f64; 3],
 }
 
 impl Grid {
@@ -156,18 +161,22 @@ fn counts(side: &[f64; 3], rule: &Rule, objects: usize) -> [u32; 3] {
     if rule.gridding == Gridding::Homogeneous {
         return open.map(|open| if open { round(cbrt(target)) } else { 1 });
     }
+    // By the sides, unless the weights say it all.
+    let sides = rule.gridding == Gridding::Proportional;
+    let shape: [f64; 3] =
+        core::array::from_fn(|k| if sides { side[k] / longest } else { rule.weights[k] });
     // An axis whose share is below one voxel gets one and leaves the rest to
     // the others, so that the product stays near the target.
     loop {
         let axes = (0..3).filter(|&k| open[k]);
-        let (count, product) = axes.fold((0, 1.0), |(c, p), k| (c + 1, p * (side[k] / longest)));
+        let (count, product) = axes.fold((0, 1.0), |(c, p), k| (c + 1, p * shape[k]));
         let density = match count {
             0 => return [1; 3],
             1 => target / product,
             2 => sqrt(target / product),
             _ => cbrt(target / product),
         };
-        let share: [f64; 3] = core::array::from_fn(|k| density * (side[k] / longest));
+        let share: [f64; 3] = core::array::from_fn(|k| density * shape[k]);
         match (0..3)
             .filter(|&k| open[k] && share[k] < 1.0)
             .min_by(|&a, &b| share[a].total_cmp(&share[b]))

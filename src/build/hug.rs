@@ -4,17 +4,18 @@ use bytemuck::Zeroable;
 
 use super::capacity::Capacity;
 use super::cluster::{Part, cluster};
+use super::components::components;
 use super::control::Control;
 use super::draft::{Crowded, Draft};
 use super::filter::Levels;
 use super::frame::{Grid, Rule};
 use super::hierarchy::link;
 use super::scratch::Scratch;
-use super::uniform::{outer_crowded, outer_rule};
+use super::uniform::{inner_rule, outer_crowded, outer_rule};
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::GRID_BIT;
-use crate::options::{Delta, Options};
+use crate::options::{Clustering, Delta, Options};
 
 /// Builds the hierarchy. `objects` is room for
 /// the triangles' numbers and all links.
@@ -60,7 +61,12 @@ pub fn hug<'s>(
 
 /// Sorts the triangles' numbers by level, into `order`; level k is the range
 /// from entry k to entry k + 1 of the result.
-fn level_ranges(levels: &Levels, boxes: &[Aabb], home: &mut [u8], order: &mut [u32]) -> [u32; 17] {
+pub(super) fn level_ranges(
+    levels: &Levels,
+    boxes: &[Aabb],
+    home: &mut [u8],
+    order: &mut [u32],
+) -> [u32; 17] {
     let mut bounds = [0u32; 17];
     for (home, b) in home.iter_mut().zip(boxes) {
         *home = levels.of(b.diagonal()) as u8;
@@ -79,7 +85,7 @@ fn level_ranges(levels: &Levels, boxes: &[Aabb], home: &mut [u8], order: &mut [u
 }
 
 /// The length that delta is a multiple of.
-fn length(
+pub(super) fn length(
     levels: &Levels,
     level: usize,
     members: &[u32],
@@ -113,12 +119,21 @@ fn clusters(
     let start = range.start;
     let mut number = draft.grids().len();
     let first = number;
-    cluster(&mut order[range], boxes, delta, parts, control, |found| {
+    let found = |_: &[u32], found: core::ops::Range<usize>| {
         if found.len() >= options.min_cluster as usize {
             ranges[number] = [(start + found.start) as u32, (start + found.end) as u32];
             number += 1;
         }
-    })?;
+    };
+    match options.clustering {
+        Clustering::Projections => {
+            cluster(&mut order[range], boxes, delta, parts, control, found)?;
+        }
+        Clustering::Components => {
+            let room = bytemuck::cast_slice_mut(parts);
+            components(&mut order[range], boxes, room, control, found)?;
+        }
+    }
     // Whatever is in no grid of the level goes to the world.
     for home in home.iter_mut().filter(|home| usize::from(**home) == level) {
         *home = world;
@@ -148,7 +163,7 @@ fn fill(
     objects: &mut [u32],
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
-    let inner = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
+    let inner = inner_rule(options);
     for (number, range) in ranges.iter().enumerate().take(draft.grids().len()) {
         let (mut count, outer) = (0, number == 0);
         let mut add = |object: u32| {
@@ -164,9 +179,16 @@ fn fill(
         let below = links.iter().take_while(|l| l[0] as usize == number).count();
         links[..below].iter().for_each(|l| add(GRID_BIT | l[1]));
         links = &links[below..];
-        let rule = if outer { outer_rule(options) } else { inner };
+        let rule = if outer {
+            let alpha = options.cluster_alpha(count, draft.soup.triangles.len());
+            Rule { alpha, ..outer_rule(options) }
+        } else {
+            inner
+        };
         let crowded = if outer { outer_crowded(options) } else { Crowded::Coarsen };
-        let grid = draft.grids()[number].divided(&rule, count);
+        let grid = draft.grids()[number];
+        let rule = draft.weighed(&rule, &grid, &objects[..count]);
+        let grid = grid.divided(&rule, count);
         draft.grids_mut()[number] = grid;
         control.tick(count, number, ranges.len())?;
         control.within(|control| draft.fill(number, &objects[..count], crowded, control))?;

@@ -3,6 +3,7 @@
 
 use hug::{Filter, Gridding, Options, Structure};
 use hug_bench::notation::{Configuration, Notation, scene, short};
+use hug_bench::variation::Variation;
 use std::f32::consts::SQRT_2;
 
 fn read(text: &str) -> Configuration {
@@ -11,7 +12,7 @@ fn read(text: &str) -> Configuration {
 
 #[test]
 fn the_papers_configurations() {
-    let hug = |levels, alpha| Notation::Hug { levels, alpha };
+    let hug = |levels, alpha| Notation::Hug { levels, alpha, with: Variation::default() };
     for (text, scene, view, structure) in [
         ("kit.g28", "kitchen", None, Notation::Uniform(Some(28))),
         ("kit.r50", "kitchen", None, Notation::Recursive(50)),
