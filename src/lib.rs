@@ -27,6 +27,7 @@ extern crate alloc;
 extern crate std;
 
 mod aabb;
+mod advice;
 mod arena;
 pub mod build;
 #[cfg(feature = "alloc")]
@@ -49,6 +50,7 @@ mod stats;
 mod trace;
 mod triangle;
 
+pub use advice::{Advice, Reason};
 pub use arena::View;
 #[cfg(feature = "alloc")]
 pub use builder::Builder;

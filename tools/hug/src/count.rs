@@ -3,7 +3,7 @@
 use crate::args::{Count, Named};
 use crate::input;
 use hug::build::Survey;
-use hug::{Counters, Options, Ray, Scene, Stats, Structure, View};
+use hug::{Advice, Counters, Options, Ray, Scene, Stats, Structure, View};
 use hug_bench::load::Loaded;
 use hug_bench::ray_sets::{RaySets, Set};
 use hug_bench::table::Table;
@@ -19,6 +19,7 @@ const SETS: [Set; 2] = [Set::Primary, Set::Random];
 pub fn run(args: &Count) -> Result<(), String> {
     for name in &args.scene {
         let loaded = input::load(name, args.quiet)?;
+        let advised = advice(&loaded)?;
         survey(&loaded)?;
         let camera = loaded.view(None)?;
         let plain = loaded.build(&Options::default())?;
@@ -28,7 +29,7 @@ pub fn run(args: &Count) -> Result<(), String> {
             ["grids", "voxels", "tests"].map(|what| format!("{}: {what}", set.name()))
         });
         let mut table = Table::new(head.into_iter().chain(figures));
-        for named in &args.structure {
+        for named in args.structure.iter().chain([&advised]) {
             let (scene, _) = input::build(&loaded, &named.options, 1, args.quiet)?;
             table.row(row(named, &scene, &sets));
         }
@@ -62,6 +63,27 @@ fn survey(loaded: &Loaded) -> Result<(), String> {
     }
     println!();
     Ok(())
+}
+
+/// What is to be built, and why.
+fn advice(loaded: &Loaded) -> Result<Named, String> {
+    let of = |error| format!("{}: {error}", loaded.name);
+    let advice = Advice::of(&loaded.soup()).map_err(of)?;
+    let name = match advice.structure {
+        Structure::Hug => format!("advised: {:?}, {:?}", advice.filter, advice.clustering),
+        other => format!("advised: {other:?}"),
+    };
+    println!(
+        "{}: {}; small {:.3}, variation {:.2}, cells {:.3} of {:.3}, crowding {:.2}",
+        loaded.name,
+        advice.reason.message().to_string_lossy(),
+        advice.small,
+        advice.variation,
+        advice.occupied,
+        advice.expected,
+        advice.crowding
+    );
+    Ok(Named { name, options: advice.options(Options::default()) })
 }
 
 fn row(named: &Named, scene: &Scene, sets: &RaySets) -> Vec<String> {
