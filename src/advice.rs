@@ -29,6 +29,8 @@ const LARGE: f64 = 0.1;
 const FEW: u64 = 64;
 /// A smaller share of small triangles leaves a filter little to part.
 const SMALL: f64 = 0.5;
+/// Lengths that vary less have one peak, and a filter cuts through it.
+const VARIED: f64 = 1.0;
 /// A scatter less crowded than this is taken for an even one.
 const CROWDED: f64 = 2.0;
 
@@ -137,7 +139,8 @@ impl Advice {
         let share = (0..SHARES.len()).find(parts).unwrap_or(SHARES.len() - 1);
         let cells = scatter.of_interest(small);
         let crowded = cells.crowding >= CROWDED;
-        let (reason, structure) = match (small >= SMALL, crowded) {
+        let parted = small >= SMALL && lengths.variation() >= VARIED;
+        let (reason, structure) = match (parted, crowded) {
             _ if lengths.count < FEW => (Reason::Few, Structure::Uniform),
             (true, true) => (Reason::Clustered, Structure::Hug),
             (true, false) => (Reason::Scattered, Structure::Recursive),

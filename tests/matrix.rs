@@ -8,7 +8,10 @@ mod common;
 
 use common::{adversarial_rays, build, ray};
 use hug::build::{Control, Task, Threads};
-use hug::{Filter, Geometry, Hierarchy, Hit, Isa, Options, Ray, Scene, Structure, View, force_isa};
+use hug::{
+    Clustering, Filter, Geometry, Gridding, Hierarchy, Hit, Isa, Options, Ray, Scene, Structure,
+    View, force_isa,
+};
 use hug_kit::{Mesh, scenes, soups};
 
 /// Of the hits of all rays in all scenes below. It depends on nothing but triangles
@@ -27,7 +30,7 @@ fn scenes() -> Vec<(&'static str, Mesh, usize)> {
     ]
 }
 
-fn structures() -> [(&'static str, Options); 5] {
+fn structures() -> [(&'static str, Options); 7] {
     let base = Options::default();
     let of = |structure| Options { structure, ..base };
     let hug = of(Structure::Hug);
@@ -38,6 +41,8 @@ fn structures() -> [(&'static str, Options); 5] {
         ("recursive", of(Structure::Recursive)),
         ("HUG", hug),
         ("HUG of three levels", three),
+        ("HUG of components", Options { clustering: Clustering::Components, ..hug }),
+        ("HUG by overlap", Options { gridding: Gridding::Overlap, ..hug }),
     ]
 }
 

@@ -9,10 +9,9 @@ use hug_bench::ray_sets::{RaySets, Set};
 use hug_bench::table::Table;
 
 /// What is counted unless asked otherwise.
-pub const VARIANTS: &str = "auto,uniform,uniform+homogeneous,uniform+overlap,uniform+mixed,\
-    recursive,recursive+overlap,recursive+mixed,hug,hug+components,\
-    hug+homogeneous,hug+overlap,hug+mixed,u.f3.sqrt2+nested+proportional+exit+min=8,\
-    u.f3.sqrt2+nested+proportional+exit+min=8+components";
+pub const VARIANTS: &str = "auto,recursive,uniform,uniform+overlap,uniform+mixed,hug,\
+    hug+world=1.4142135,hug+components,hug+components+world=1.4142135,\
+    hug+components+homogeneous,hug+components+overlap,hug+components+mixed";
 
 const SETS: [Set; 2] = [Set::Primary, Set::Random];
 

@@ -1,6 +1,7 @@
 //! The paper's claims, each judged by what was measured here.
 
 mod calls;
+mod clusters;
 mod costs;
 mod occupancy;
 mod time;
@@ -75,7 +76,7 @@ impl<'a> Evidence<'a> {
 
 pub fn all(subjects: &[Subject]) -> Vec<Claim> {
     let evidence = Evidence(subjects);
-    let all = [occupancy::claims, calls::claims, costs::claims, time::claims];
+    let all = [occupancy::claims, calls::claims, costs::claims, time::claims, clusters::claims];
     all.into_iter().flat_map(|claims| claims(&evidence)).collect()
 }
 
