@@ -30,6 +30,9 @@ ALIGNMENT_PROBE(hug_calls);
 ALIGNMENT_PROBE(hug_profile);
 ALIGNMENT_PROBE(hug_probe);
 ALIGNMENT_PROBE(hug_nearest);
+ALIGNMENT_PROBE(hug_advice);
+ALIGNMENT_PROBE(hug_clusters);
+ALIGNMENT_PROBE(hug_clusterings);
 
 #define STRUCT(type)                                          \
     printf("%s %u %u\n", #type, (unsigned)sizeof(type),       \
@@ -79,6 +82,8 @@ static void print_build_desc(void)
     FIELD(hug_build_desc, parallel_user);
     FIELD(hug_build_desc, progress);
     FIELD(hug_build_desc, progress_user);
+    FIELD(hug_build_desc, clustering);
+    FIELD(hug_build_desc, overlap_power);
     FIELD(hug_build_desc, orientation);
     FIELD(hug_build_desc, turn_below);
 }
@@ -277,6 +282,45 @@ static void print_nearest(void)
     FIELD(hug_nearest, reserved);
 }
 
+static void print_advice(void)
+{
+    STRUCT(hug_advice);
+    FIELD(hug_advice, struct_size);
+    FIELD(hug_advice, triangles);
+    FIELD(hug_advice, small);
+    FIELD(hug_advice, variation);
+    FIELD(hug_advice, occupied);
+    FIELD(hug_advice, expected);
+    FIELD(hug_advice, crowding);
+    FIELD(hug_advice, prone);
+    FIELD(hug_advice, structure);
+    FIELD(hug_advice, filter_levels);
+    FIELD(hug_advice, filter_share);
+    FIELD(hug_advice, clustering);
+    FIELD(hug_advice, reason);
+}
+
+static void print_clusters(void)
+{
+    STRUCT(hug_clusters);
+    FIELD(hug_clusters, clusters);
+    FIELD(hug_clusters, grids);
+    FIELD(hug_clusters, objects);
+    FIELD(hug_clusters, volume);
+}
+
+static void print_clusterings(void)
+{
+    STRUCT(hug_clusterings);
+    FIELD(hug_clusterings, struct_size);
+    FIELD(hug_clusterings, triangles);
+    FIELD(hug_clusterings, filtered);
+    FIELD(hug_clusterings, plane_pairs);
+    FIELD(hug_clusterings, pairs);
+    FIELD(hug_clusterings, projections);
+    FIELD(hug_clusterings, components);
+}
+
 int main(void)
 {
     print_geometry();
@@ -295,5 +339,8 @@ int main(void)
     print_profile();
     print_probe();
     print_nearest();
+    print_advice();
+    print_clusters();
+    print_clusterings();
     return 0;
 }

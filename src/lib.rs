@@ -27,6 +27,7 @@ extern crate alloc;
 extern crate std;
 
 mod aabb;
+mod advice;
 mod arena;
 pub mod build;
 #[cfg(feature = "alloc")]
@@ -49,13 +50,15 @@ mod stats;
 mod trace;
 mod triangle;
 
+pub use advice::{Advice, Reason};
 pub use arena::View;
 #[cfg(feature = "alloc")]
 pub use builder::Builder;
 pub use error::Error;
 pub use geometry::{Geometry, Indices, MAX_TRIANGLES};
 pub use options::{
-    Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Orientation, Quality, Structure,
+    Clustering, Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Orientation, Quality,
+    Structure,
 };
 pub use probe::{Nearest, Probe};
 pub use ray::{Hit, NONE, Ray};

@@ -1,5 +1,11 @@
 //! Functions that `core` lacks, the same bits with and without `std`.
 
+/// Numbers in the order of finite floats; both zeros have the same.
+pub fn ordered(x: f32) -> u32 {
+    let bits = (x + 0.0).to_bits();
+    if bits >> 31 == 0 { bits | 1 << 31 } else { !bits }
+}
+
 /// The cube root of a positive number, to about an ulp. Newton's iteration
 /// from a third of the exponent; only additions, products and quotients, so
 /// every platform computes the same bits (no libm's `cbrt` promises that).
@@ -26,6 +32,20 @@ pub fn sqrt(x: f64) -> f64 {
     y
 }
 
+/// The exponential function, to about 1e-9, the same bits everywhere; 0 and infinity
+/// beyond 600.
+pub fn exp(x: f64) -> f64 {
+    if x.is_nan() || x.abs() > 600.0 {
+        return if x < 0.0 { 0.0 } else { f64::INFINITY };
+    }
+    let half = if x < 0.0 { -0.5 } else { 0.5 };
+    let exponent = (x / core::f64::consts::LN_2 + half) as i32;
+    let rest = x - f64::from(exponent) * core::f64::consts::LN_2;
+    // |rest| <= 0.35: twelve terms.
+    let sum = (1..=12).rev().fold(1.0, |sum, k| 1.0 + sum * rest / f64::from(k));
+    sum * f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
 /// The natural logarithm, to about 1e-9: enough for histograms, and the same
 /// bits everywhere.
 pub fn ln(x: f64) -> f64 {
@@ -48,7 +68,7 @@ pub fn ln(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{cbrt, ln, sqrt};
+    use super::{cbrt, exp, ln, sqrt};
 
     #[test]
     fn close_to_the_real_functions() {
@@ -58,6 +78,11 @@ mod tests {
             assert!((sqrt(x) / x.sqrt() - 1.0).abs() < 1e-15, "{x}");
             assert!((ln(x) - x.ln()).abs() < 1e-8, "{x}");
         }
+        for x in (-590..590).map(f64::from) {
+            assert!((exp(x) / x.exp() - 1.0).abs() < 1e-12, "{x}");
+            assert!((exp(x / 977.0) / (x / 977.0).exp() - 1.0).abs() < 1e-12, "{x}");
+        }
+        assert_eq!((exp(-1e9), exp(f64::INFINITY), exp(0.0)), (0.0, f64::INFINITY, 1.0));
         assert_eq!(cbrt(0.0), 0.0);
     }
 }

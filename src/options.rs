@@ -3,7 +3,10 @@
 //! The default of every field is the one to use unless a measurement says
 //! otherwise; a zeroed C descriptor means the same defaults.
 
+use core::f32::consts::SQRT_2;
+
 use crate::Error;
+use crate::math::cbrt;
 use crate::simd::fpenv;
 
 /// Most levels a hierarchy can have: the depth of nested grids.
@@ -34,6 +37,33 @@ pub enum Gridding {
     Proportional = 0,
     /// The same count along every axis, as in the paper.
     Homogeneous = 1,
+    /// The more along an axis, the less the objects overlap along it
+    /// (Definition 4): `n_i` in proportion to `(1 + c_i)^-q`, with `c_i` the
+    /// objects that an end of an object lies in on the average and `q`
+    /// [`Options::overlap_power`]. Turned clusters take [`Gridding::Proportional`].
+    Overlap = 2,
+    /// [`Gridding::Proportional`] times [`Gridding::Overlap`].
+    Mixed = 3,
+}
+
+impl Gridding {
+    /// Whether counts depend on overlap numbers.
+    pub(crate) fn overlaps(self) -> bool {
+        matches!(self, Self::Overlap | Self::Mixed)
+    }
+}
+
+/// What a cluster of a hierarchy of uniform grids is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Clustering {
+    /// Objects whose projections are delta-connected along x, y and z
+    /// (Definition 3).
+    #[default]
+    Projections = 0,
+    /// A connected component of the graph of boxes that intersect
+    /// (Definition 5); `delta` and `connectivity` say nothing.
+    Components = 1,
 }
 
 /// What `f_k` stands for in `delta_k = alpha * f_k` (Definition 2).
@@ -119,14 +149,19 @@ pub struct Options {
     pub structure: Structure,
     /// How voxel counts follow from the box.
     pub gridding: Gridding,
+    /// How strongly overlap numbers act, for the griddings that look at them:
+    /// the `q` of [`Gridding::Overlap`]. In (0, 4].
+    pub overlap_power: f32,
     /// Voxel counts of the outermost grid along x, y, z, each at most 2048;
     /// zeros derive them from `alpha` or `world_alpha`.
     pub counts: [u32; 3],
     /// Voxels per axis and cube root of the objects (the cube-root criterion):
     /// `alpha^3 N` voxels for `N` objects. In [0.1, 16].
     pub alpha: f32,
-    /// The same for the outermost grid: 1 for the uniform and the recursive
-    /// grid, sqrt(2) for the HUG's world cluster unless set. In [0.1, 16].
+    /// The same for the outermost grid, in [0.1, 16]. Unless set, it is `alpha` for
+    /// the uniform and the recursive grid. For the HUG's world cluster it is the
+    /// paper's sqrt(2), or with a filter of two levels (section 7.5) 2, but then for
+    /// no more voxels than sqrt(2) makes for all triangles.
     pub world_alpha: Option<f32>,
     /// Recursive grid: a voxel with more references than this becomes a grid.
     pub maxp: u32,
@@ -134,6 +169,8 @@ pub struct Options {
     pub max_depth: u32,
     /// HUG: the filter of lengths.
     pub filter: Filter,
+    /// HUG: what a cluster is.
+    pub clustering: Clustering,
     /// HUG: the connectivity coefficient alpha of Definition 2. In (0, 1e6].
     pub connectivity: f32,
     /// HUG: what length delta is a multiple of.
@@ -166,12 +203,14 @@ impl Default for Options {
         Self {
             structure: Structure::Auto,
             gridding: Gridding::Proportional,
+            overlap_power: 0.5,
             counts: [0; 3],
             alpha: 1.0,
             world_alpha: None,
             maxp: 50,
             max_depth: 8,
             filter: Filter::default(),
+            clustering: Clustering::Projections,
             connectivity: 1.0,
             delta: Delta::Midpoint,
             hierarchy: Hierarchy::Nested,
@@ -185,6 +224,9 @@ impl Default for Options {
         }
     }
 }
+
+/// The alpha of the world cluster under a filter of two levels, where that has room.
+const TWO_LEVELS_ALPHA: f32 = 2.0;
 
 /// Largest voxel count along an axis.
 pub(crate) const MAX_COUNT: u32 = 2048;
@@ -216,6 +258,8 @@ impl Options {
             && self.maxp >= 1
             && (1..=MAX_LEVELS as u32).contains(&self.max_depth)
             && filter
+            && self.overlap_power > 0.0
+            && self.overlap_power <= 4.0
             && self.connectivity > 0.0
             && self.connectivity <= 1e6
             && self.min_cluster >= 1
@@ -243,9 +287,21 @@ impl Options {
     /// The alpha of the outermost grid.
     pub(crate) fn outer_alpha(&self) -> f32 {
         let default = match self.structure {
-            Structure::Auto | Structure::Hug => core::f32::consts::SQRT_2,
+            Structure::Auto | Structure::Hug => SQRT_2,
             Structure::Uniform | Structure::Recursive => self.alpha,
         };
         self.world_alpha.unwrap_or(default)
+    }
+
+    /// The alpha of the HUG's world cluster for `objects` objects in a scene of
+    /// `triangles`: the voxels are as many as [`Options::outer_alpha`] allows for the
+    /// triangles, or fewer.
+    pub(crate) fn cluster_alpha(&self, objects: usize, triangles: usize) -> f32 {
+        let most = self.outer_alpha();
+        if self.world_alpha.is_some() || !matches!(self.filter, Filter::TwoLevels(_)) {
+            return most;
+        }
+        let room = cbrt(triangles as f64 / objects.max(1) as f64) as f32;
+        (most * room).clamp(most, TWO_LEVELS_ALPHA)
     }
 }

@@ -12,6 +12,7 @@ use common::layout::{VERSION, get32};
 use common::{adversarial_rays, assert_same, build, ray, structures};
 use hug::{Error, View};
 use hug_kit::{Mesh, soups};
+use std::f32::consts::SQRT_2;
 use std::fs;
 use std::path::PathBuf;
 
@@ -28,7 +29,9 @@ fn fresh() -> Vec<(String, Vec<u8>)> {
     let empty = build(&soups::empty(), &structures()[0].1).view().bytes().to_vec();
     let mut all = vec![("empty.hug".to_owned(), empty)];
     for (name, options) in structures() {
-        let options = hug::Options { maxp: 8, min_cluster: 2, ..options };
+        // In full, so that a default may change without a new version.
+        let world_alpha = (options.structure == hug::Structure::Hug).then_some(SQRT_2);
+        let options = hug::Options { maxp: 8, min_cluster: 2, world_alpha, ..options };
         let bytes = build(&mesh(), &options).view().bytes().to_vec();
         all.push((format!("{}.hug", name.to_lowercase()), bytes));
     }

@@ -27,6 +27,7 @@ fn header_is_generated() {
         "all.rs",
         "filter.rs",
         "nearest.rs",
+        "advise.rs",
     ];
     for file in files {
         builder = builder.with_src(root.join("src/capi").join(file));

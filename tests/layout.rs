@@ -11,7 +11,8 @@ use hug::capi::types::{
     hug_level_stats, hug_ray, hug_ray_soa, hug_scene_stats,
 };
 use hug::capi::{
-    hug_calls, hug_nearest, hug_probe, hug_profile, hug_scene_lengths, hug_voxel_histogram,
+    hug_advice, hug_calls, hug_clusterings, hug_clusters, hug_nearest, hug_probe, hug_profile,
+    hug_scene_lengths, hug_voxel_histogram,
 };
 use std::mem::{align_of, offset_of, size_of};
 use std::process::Command;
@@ -41,8 +42,8 @@ fn expected() -> Vec<String> {
             struct_size, geometries, geometry_count, structure, gridding, counts, alpha,
             world_alpha, maxp, max_depth, filter_levels, filter_share, filter_thresholds,
             connectivity, delta, hierarchy, min_cluster, max_refs, flags, alloc, free, user,
-            quality, reserved, parallel_for, parallel_user, progress, progress_user,
-            orientation, turn_below,
+            quality, reserved, parallel_for, parallel_user, progress, progress_user, clustering,
+            overlap_power, orientation, turn_below,
         }
         hug_ray { org, tmin, dir, tmax, mask, flags, skip_geom, skip_prim }
         hug_hit { t, u, v, ng, geom, prim, inst, reserved }
@@ -75,6 +76,14 @@ fn expected() -> Vec<String> {
         hug_profile { total, level }
         hug_probe { org, radius, mask, flags, skip_geom, skip_prim }
         hug_nearest { distance, u, v, point, geom, prim, inst, reserved }
+        hug_advice {
+            struct_size, triangles, small, variation, occupied, expected, crowding, prone,
+            structure, filter_levels, filter_share, clustering, reason,
+        }
+        hug_clusters { clusters, grids, objects, volume }
+        hug_clusterings {
+            struct_size, triangles, filtered, plane_pairs, pairs, projections, components,
+        }
     }
 }
 

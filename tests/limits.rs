@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::structures;
+use common::{section_7, structures};
 use hug::build::{Control, measure};
 use hug::{Error, Geometry, Options, Scene};
 use hug_kit::Mesh;
@@ -28,12 +28,32 @@ fn adversarial(n: usize) -> Vec<(&'static str, Mesh)> {
                 "stacked" => [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]],
                 "one point" => [a, b, c].map(|v| v.map(|x| 1.0 + x * 2e-7)),
                 "slivers" => [a, b, [b[0], b[1], b[2] + 1e-6]],
+                // Rods along the three axes that cross in every projection and do not touch.
+                "weave" => {
+                    let k = random.below(3);
+                    let mut rod = [a.map(|x| (x * 4e3).floor()); 3];
+                    rod[1][k] += 1e4;
+                    rod[2][k] += 1e4;
+                    rod[2][(k + 1) % 3] += 0.25;
+                    for corner in &mut rod {
+                        corner[k] -= 5e3;
+                        corner[(k + 2) % 3] += k as f32 / 3.0;
+                    }
+                    rod
+                }
+                // Sheets, one upon the other, in no order.
+                "sheets" => {
+                    let z = random.below(n) as f32;
+                    [[a[0], a[1], z], [a[0] + 4.0, a[1], z], [a[0], a[1] + 4.0, z + 0.5]]
+                }
                 _ => [a, [a[0] + 1e-3, a[1], a[2]], [a[0], a[1] + 1e-3, a[2]]],
             });
         }
         mesh
     };
-    ["huge", "stacked", "one point", "slivers", "scattered"].map(|k| (k, make(k))).into()
+    ["huge", "stacked", "one point", "slivers", "weave", "sheets", "scattered"]
+        .map(|k| (k, make(k)))
+        .into()
 }
 
 /// Units of work that a build reports, and its arena's size.
@@ -55,7 +75,7 @@ fn watch(mesh: &Mesh, options: &Options) -> (usize, usize) {
 fn work_is_in_proportion_to_triangles() {
     for n in [2000, 20_000] {
         for (name, mesh) in adversarial(n) {
-            for (kind, options) in structures() {
+            for (kind, options) in structures().into_iter().chain(section_7()) {
                 let (work, bytes) = watch(&mesh, &options);
                 let sizes = measure_count(n, &options);
                 let what = format!("{n} {name} in {kind}: {work} units, {bytes} bytes");
@@ -77,7 +97,7 @@ fn measure_count(n: usize, options: &Options) -> (usize, usize) {
 /// ARCHITECTURE.md and docs/promises.md name these numbers.
 #[test]
 fn memory_is_linear_in_triangles() {
-    let mut all = structures().to_vec();
+    let mut all = [&structures()[..], &section_7()].concat();
     all.push(("auto", Options::default()));
     for (kind, options) in all {
         let (arena, scratch) = measure_count(1_000_000, &options);

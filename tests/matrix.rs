@@ -9,8 +9,8 @@ mod common;
 use common::{adversarial_rays, build, ray};
 use hug::build::{Control, Task, Threads};
 use hug::{
-    Filter, Geometry, Hierarchy, Hit, Isa, Options, Orientation, Ray, Scene, Structure, View,
-    force_isa,
+    Clustering, Filter, Geometry, Gridding, Hierarchy, Hit, Isa, Options, Orientation, Ray, Scene,
+    Structure, View, force_isa,
 };
 use hug_kit::{Mesh, scenes, soups};
 
@@ -30,7 +30,7 @@ fn scenes() -> Vec<(&'static str, Mesh, usize)> {
     ]
 }
 
-fn structures() -> [(&'static str, Options); 6] {
+fn structures() -> [(&'static str, Options); 8] {
     let base = Options::default();
     let of = |structure| Options { structure, ..base };
     let hug = of(Structure::Hug);
@@ -41,6 +41,8 @@ fn structures() -> [(&'static str, Options); 6] {
         ("recursive", of(Structure::Recursive)),
         ("HUG", hug),
         ("HUG of three levels", three),
+        ("HUG of components", Options { clustering: Clustering::Components, ..hug }),
+        ("HUG by overlap", Options { gridding: Gridding::Overlap, ..hug }),
         ("HUG, turned", Options { orientation: Orientation::Hull, turn_below: 1e6, ..hug }),
     ]
 }

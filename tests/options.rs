@@ -5,7 +5,7 @@
 mod common;
 
 use common::structures;
-use hug::{Error, Filter, Geometry, MAX_LEVELS, Options, Scene, build};
+use hug::{Clustering, Error, Filter, Geometry, Gridding, MAX_LEVELS, Options, Scene, build};
 use hug_kit::{Mesh, soups};
 
 fn statuses(mesh: &Mesh, options: &Options) -> [Option<Error>; 2] {
@@ -52,6 +52,9 @@ fn values_out_of_range_are_refused() {
     for connectivity in [0.0, -0.0, -1.0, 1.1e6, f32::INFINITY, nan] {
         wrong.push(Options { connectivity, ..normal });
     }
+    for overlap_power in [0.0, -1.0, 4.1, f32::INFINITY, nan] {
+        wrong.push(Options { overlap_power, ..normal });
+    }
     for share in [0.0, -0.5, 1.1, f32::INFINITY, nan] {
         wrong.push(Options { filter: Filter::TwoLevels(share), ..normal });
     }
@@ -92,6 +95,10 @@ fn ends_of_the_ranges_are_accepted() {
         Options { filter: thresholds(&[]), ..room },
         Options { filter: thresholds(&[f32::from_bits(1), f32::MAX]), ..room },
         Options { max_refs: 1, ..room },
+        Options { max_refs: 1, gridding: Gridding::Overlap, ..room },
+        Options { overlap_power: 4.0, gridding: Gridding::Overlap, ..room },
+        Options { overlap_power: f32::from_bits(1), gridding: Gridding::Mixed, ..room },
+        Options { min_cluster: u32::MAX, clustering: Clustering::Components, ..room },
     ];
     for options in &ends {
         for (_, Options { structure, .. }) in structures() {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{adversarial_rays, build, ray, structures};
+use common::{adversarial_rays, build, ray, section_7, structures};
 use hug::{Hit, Ray};
 use hug_kit::soups;
 
@@ -12,7 +12,7 @@ fn sixteen_threads_get_what_one_gets() {
     let mesh = soups::clustered(3000);
     let rays: Vec<Ray> = adversarial_rays(&mesh, 3, 500).iter().map(|(_, r)| ray(r)).collect();
     let bits = |hit: Hit| bytemuck::cast::<Hit, [u32; 10]>(hit);
-    for (name, options) in structures() {
+    for (name, options) in structures().into_iter().chain(section_7()) {
         let scene = build(&mesh, &options);
         let trace = || -> Vec<([u32; 10], bool)> {
             let view = scene.view();
@@ -38,7 +38,7 @@ fn sixteen_threads_get_what_one_gets() {
 #[test]
 fn eight_builds_at_once_make_the_same_bytes() {
     let mesh = soups::tangle(1, 3000);
-    for (name, options) in structures() {
+    for (name, options) in structures().into_iter().chain(section_7()) {
         let alone = build(&mesh, &options);
         std::thread::scope(|scope| {
             let others: Vec<_> = (0..8).map(|_| scope.spawn(|| build(&mesh, &options))).collect();

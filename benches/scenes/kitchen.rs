@@ -3,6 +3,7 @@
 use hug::{Error, Geometry, Hierarchy, Options, Scene, Stats};
 use hug_bench::notation::Notation;
 use hug_bench::paper::{self, Other, Table};
+use hug_bench::variation::Variation;
 use hug_kit::Mesh;
 
 /// One configuration: what the paper prints, and what the library counts.
@@ -18,7 +19,11 @@ pub struct Figure {
 pub fn figures(mesh: &Mesh) -> Result<Vec<Figure>, Error> {
     let options = |notation: Notation| notation.options();
     let uniform = options(Notation::Uniform(Some(28)));
-    let hug = options(Notation::Hug { levels: 3, alpha: core::f32::consts::SQRT_2 });
+    let hug = options(Notation::Hug {
+        levels: 3,
+        alpha: core::f32::consts::SQRT_2,
+        with: Variation::default(),
+    });
     let nested = Options { hierarchy: Hierarchy::Nested, ..hug };
     let recursive = options(Notation::Recursive(50));
     let figure = |title, paper, options: &Options, calibrated| {

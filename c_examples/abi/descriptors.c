@@ -1,6 +1,7 @@
 /* Bad descriptors. */
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "abi/check.h"
@@ -47,6 +48,12 @@ static void check_struct_size(void)
     EXPECT(hug_build(&f.desc, &scene), HUG_OK);
     hug_free(scene);
     f.desc.quality = 0;
+    /* one of the version before clustering */
+    f.desc.struct_size = offsetof(hug_build_desc, clustering);
+    f.desc.clustering = 1000;
+    EXPECT(hug_build(&f.desc, &scene), HUG_OK);
+    hug_free(scene);
+    f.desc.clustering = 0;
     f.desc.struct_size = sizeof f.desc;
     EXPECT(hug_build((const hug_build_desc *)(const void *)((const char *)&f.desc + 1), &scene),
            HUG_ERROR_ALIGNMENT);
@@ -70,7 +77,7 @@ static void check_enumerations(void)
         f.desc.structure = beyond[i] ? beyond[i] : HUG_STRUCTURE_HUG + 1;
         REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
         fixture_make(&f);
-        f.desc.gridding = beyond[i] ? beyond[i] : HUG_GRIDDING_HOMOGENEOUS + 1;
+        f.desc.gridding = beyond[i] ? beyond[i] : HUG_GRIDDING_MIXED + 1;
         REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
         fixture_make(&f);
         f.desc.delta = beyond[i] ? beyond[i] : HUG_DELTA_MEAN + 1;
@@ -80,6 +87,9 @@ static void check_enumerations(void)
         REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
         fixture_make(&f);
         f.desc.quality = beyond[i] ? beyond[i] : HUG_QUALITY_HIGH + 1;
+        REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
+        fixture_make(&f);
+        f.desc.clustering = beyond[i] ? beyond[i] : HUG_CLUSTERING_COMPONENTS + 1;
         REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
         fixture_make(&f);
         f.geometry.index_type = beyond[i] ? beyond[i] : HUG_INDEX_U32 + 1;
@@ -108,7 +118,8 @@ static void check_ranges(void)
 {
     static const size_t floats[] = {
         offsetof(hug_build_desc, alpha), offsetof(hug_build_desc, world_alpha),
-        offsetof(hug_build_desc, filter_share), offsetof(hug_build_desc, connectivity)};
+        offsetof(hug_build_desc, filter_share), offsetof(hug_build_desc, connectivity),
+        offsetof(hug_build_desc, overlap_power)};
     size_t i;
     for (i = 0; i < sizeof floats / sizeof *floats; i++) {
         check_float(floats[i], NAN);
@@ -119,6 +130,7 @@ static void check_ranges(void)
     check_float(offsetof(hug_build_desc, alpha), 16.5f);
     check_float(offsetof(hug_build_desc, world_alpha), 16.5f);
     check_float(offsetof(hug_build_desc, filter_share), 1.5f);
+    check_float(offsetof(hug_build_desc, overlap_power), 4.5f);
     check_uint(offsetof(hug_build_desc, max_depth), HUG_MAX_LEVELS + 1);
     check_uint(offsetof(hug_build_desc, filter_levels), 4);
     check_uint(offsetof(hug_build_desc, max_refs), 4097);
@@ -179,6 +191,50 @@ static void check_thresholds(void)
     REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
 }
 
+/* What is told of a scene before it is built. */
+static void check_advice(void)
+{
+    fixture f;
+    hug_advice advice;
+    hug_clusterings found;
+    size_t arena_bytes, scratch_bytes;
+    void *scratch;
+    hug_reason reason;
+    fixture_make(&f);
+    memset(&advice, 0, sizeof advice);
+    memset(&found, 0, sizeof found);
+    EXPECT(hug_advise(&f.desc, NULL), HUG_ERROR_NULL);
+    EXPECT(hug_advise(&f.desc, &advice), HUG_ERROR_STRUCT_SIZE);
+    advice.struct_size = sizeof advice;
+    EXPECT(hug_advise(NULL, &advice), HUG_ERROR_NULL);
+    f.desc.alpha = 17;
+    EXPECT(hug_advise(&f.desc, &advice), HUG_ERROR_INVALID_VALUE);
+    REQUIRE(advice.triangles == 0);
+    f.desc.alpha = 0;
+    EXPECT(hug_advise(&f.desc, &advice), HUG_OK);
+    REQUIRE(advice.triangles > 0 && advice.structure != HUG_STRUCTURE_AUTO);
+    REQUIRE(advice.prone == (advice.reason == HUG_REASON_CLUSTERED));
+    for (reason = 0; reason <= HUG_REASON_CLUSTERED + 1; reason++)
+        REQUIRE(strlen(hug_reason_string(reason)) > 10);
+
+    f.desc.structure = HUG_STRUCTURE_HUG;
+    EXPECT(hug_measure(&f.desc, &arena_bytes, &scratch_bytes), HUG_OK);
+    scratch = malloc(scratch_bytes);
+    REQUIRE(scratch != NULL);
+    EXPECT(hug_survey(&f.desc, scratch, scratch_bytes, NULL), HUG_ERROR_NULL);
+    EXPECT(hug_survey(&f.desc, NULL, scratch_bytes, &found), HUG_ERROR_NULL);
+    EXPECT(hug_survey(&f.desc, scratch, scratch_bytes, &found), HUG_ERROR_STRUCT_SIZE);
+    found.struct_size = sizeof found;
+    EXPECT(hug_survey(&f.desc, (char *)scratch + 1, scratch_bytes - 1, &found),
+           HUG_ERROR_ALIGNMENT);
+    EXPECT(hug_survey(&f.desc, scratch, 64, &found), HUG_ERROR_BUFFER_TOO_SMALL);
+    EXPECT(hug_survey(&f.desc, &found, sizeof found, &found), HUG_ERROR_OVERLAP);
+    EXPECT(hug_survey(&f.desc, scratch, scratch_bytes, &found), HUG_OK);
+    REQUIRE(found.triangles >= found.filtered && found.plane_pairs >= found.pairs);
+    REQUIRE(found.components.volume >= 1 && found.projections.volume >= 1);
+    free(scratch);
+}
+
 void check_descriptors(void)
 {
     fixture f;
@@ -190,4 +246,5 @@ void check_descriptors(void)
     check_flags();
     check_counts();
     check_thresholds();
+    check_advice();
 }

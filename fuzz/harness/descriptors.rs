@@ -135,6 +135,13 @@ fn fill(desc: &mut hug_build_desc, input: &mut Input<'_>, thresholds: &[f32; 15]
     if wants(20) {
         (desc.quality, desc.reserved) = (input.below(4) as u32, u32::from(input.rarely(8)));
     }
+    // What came later is chosen by bits that were not looked at before.
+    if wants(22) {
+        (desc.clustering, desc.overlap_power) = (input.below(3) as u32, input.float());
+    }
+    if wants(24) {
+        desc.gridding = input.below(5) as u32;
+    }
 }
 
 /// Every function that takes a scene, with rays of any bits at any address.
@@ -186,6 +193,27 @@ fn query(scene: *const hug_scene, input: &mut Input<'_>) {
     }
 }
 
+/// What is told before a build, with as much memory as this one has.
+///
+/// # Safety
+/// The descriptor keeps to the rule.
+unsafe fn survey(desc: *const hug_build_desc, scratch_bytes: usize) {
+    let mut scratch = Block::zeroed(scratch_bytes);
+    let s = scratch.bytes_mut();
+    // SAFETY: zeros are a value of every field; the rest by the caller.
+    unsafe {
+        let mut advice: hug_advice = std::mem::zeroed();
+        advice.struct_size = size_of_val(&advice);
+        assert_ne!(hug_advise(desc, &mut advice), HUG_ERROR_INTERNAL);
+        assert!(advice.reason <= HUG_REASON_CLUSTERED);
+        let mut found: hug_clusterings = std::mem::zeroed();
+        found.struct_size = size_of_val(&found);
+        let start = s.as_mut_ptr().cast();
+        assert_ne!(hug_survey(desc, start, s.len(), &mut found), HUG_ERROR_INTERNAL);
+        assert!(found.pairs <= found.plane_pairs);
+    }
+}
+
 /// hug_measure and hug_build_into, with as much memory as it says or a little less.
 fn build_into(desc: *const hug_build_desc, input: &mut Input<'_>) {
     let (mut arena_bytes, mut scratch_bytes) = (0, 0);
@@ -196,6 +224,7 @@ fn build_into(desc: *const hug_build_desc, input: &mut Input<'_>) {
         if status != HUG_OK || arena_bytes.max(scratch_bytes) > 1 << 26 {
             return;
         }
+        survey(desc, scratch_bytes);
         let less = |input: &mut Input<'_>| if input.rarely(8) { 64 * input.below(64) } else { 0 };
         let mut arena = Block::zeroed(arena_bytes.saturating_sub(less(input)));
         let mut scratch = Block::zeroed(scratch_bytes.saturating_sub(less(input)));

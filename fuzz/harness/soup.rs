@@ -1,7 +1,10 @@
 //! Triangles, options and rays out of an input.
 
 use super::input::Input;
-use hug::{Delta, Filter, Geometry, Gridding, Hierarchy, NONE, Options, Quality, Ray, Structure};
+use hug::{
+    Clustering, Delta, Filter, Geometry, Gridding, Hierarchy, NONE, Options, Quality, Ray,
+    Structure,
+};
 
 /// Few enough triangles for brute force.
 const MOST: usize = 48;
@@ -89,6 +92,22 @@ impl Soup {
     }
 }
 
+/// What was added to the options later: read after all else, so that older inputs mean
+/// what they did, and zeros are the defaults.
+pub fn later(input: &mut Input<'_>, options: Options) -> Options {
+    let gridding = match input.below(4) {
+        1 => Gridding::Overlap,
+        2 => Gridding::Mixed,
+        _ => options.gridding,
+    };
+    let overlap_power = match input.byte() {
+        0 => options.overlap_power,
+        power => f32::from(power) / 64.0,
+    };
+    let clustering = input.one_of(&[Clustering::Projections, Clustering::Components]);
+    Options { gridding, overlap_power, clustering, ..options }
+}
+
 /// Options in their ranges, of a structure.
 pub fn options(input: &mut Input<'_>, structure: Structure) -> Options {
     let share = |input: &mut Input<'_>| (f32::from(input.byte()) + 1.0) / 256.0;
@@ -126,5 +145,6 @@ pub fn options(input: &mut Input<'_>, structure: Structure) -> Options {
         max_refs: input.one_of(&[1, 2, 8, 32, 64]),
         quality: input.one_of(&[Quality::Default, Quality::Fast, Quality::High]),
         compact: input.rarely(4),
+        ..Options::default()
     }
 }

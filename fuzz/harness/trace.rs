@@ -3,7 +3,7 @@
 
 use super::block::Block;
 use super::input::Input;
-use super::soup::{Soup, options};
+use super::soup::{Soup, later, options};
 use hug::{Counters, Error, Hit, Isa, Ray, Scene, Structure, Truncated, View, force_isa};
 
 const STRUCTURES: [Structure; 4] =
@@ -47,6 +47,7 @@ pub fn trace(data: &[u8]) {
     let structure = input.one_of(&STRUCTURES);
     let options = options(&mut input, structure);
     let rays: Vec<Ray> = (0..input.below(24)).map(|_| soup.ray(&mut input)).collect();
+    let options = later(&mut input, options);
     let scene = match Scene::build(&soup.geometries(), &options) {
         Ok(scene) => scene,
         // Only explicit counts may ask for more references than max_refs allows.

@@ -28,15 +28,15 @@ pub struct Part {
 /// inputs made to be cut one object at a time.
 const MAX_CUTS: u32 = 64;
 
-/// Splits `order` into clusters by permuting it and calls `found` with the
-/// range of each. `parts` is room for as many parts as there are objects.
+/// Splits `order` into clusters by permuting it and calls `found` with it and the
+/// range of each, which is final by then. `parts` is room for as many parts as there are objects.
 pub fn cluster(
     order: &mut [u32],
     boxes: &[Aabb],
     delta: f64,
     parts: &mut [Part],
     control: &mut Control<'_>,
-    mut found: impl FnMut(core::ops::Range<usize>),
+    mut found: impl FnMut(&[u32], core::ops::Range<usize>),
 ) -> Result<(), Error> {
     if order.is_empty() {
         return Ok(());
@@ -55,7 +55,7 @@ pub fn cluster(
         let (axis, connected, cuts) = (part.state & 0xff, part.state >> 8 & 0xff, part.state >> 16);
         if end - start == 1 || connected == 3 || cuts == MAX_CUTS {
             settled += end - start;
-            found(start..end);
+            found(order, start..end);
             continue;
         }
         control.tick(end - start, settled, order.len())?;

@@ -4,15 +4,16 @@
 //! lowest voxel that it meets: what a ray meets together lies together, and lists, also
 //! those of the grids below, are in order without being sorted.
 
+use super::arrangement::Objects;
 use super::bucket::Buckets;
 use super::capacity::Capacity;
 use super::control::Control;
-use super::frame::Grid;
+use super::frame::{Grid, Rule};
 use super::gather::Soup;
 use super::scratch::Scratch;
 use super::turn::{Turn, place};
 use crate::Error;
-use crate::arena::layout::{GRID_BIT, TURNED, Triangle};
+use crate::arena::layout::{GRID_BIT, Triangle};
 use bytemuck::{Pod, Zeroable};
 
 /// A voxel's list: `count` references from number `start` on.
@@ -111,7 +112,7 @@ impl<'s> Draft<'s> {
 
     /// Makes a grid without voxels a turned one.
     pub fn set_turn(&mut self, number: usize, grid: Grid, turn: Turn) {
-        self.grid_memory[number] = Grid { flags: u32::from(TURNED), ..grid };
+        self.grid_memory[number] = grid;
         self.turns[number] = turn;
     }
 
@@ -151,6 +152,22 @@ impl<'s> Draft<'s> {
         *self.grid_memory.get_mut(self.grids).ok_or(Error::Limit)? = grid;
         self.grids += 1;
         Ok(self.grids - 1)
+    }
+
+    /// A rule with the weights that it wants for these objects, as [`Draft::fill`] takes
+    /// them, in a grid. Cost: if it wants any, sorting the objects' ends.
+    pub fn weighed(&mut self, rule: &Rule, grid: &Grid, objects: &[u32]) -> Rule {
+        let (soup, grids) = (&self.soup, &self.grid_memory[..self.grids]);
+        let triangle = |object: u32| &soup.triangles[object as usize];
+        rule.weighed(grid, Objects { objects, grids, triangle: &triangle }, self.stream)
+    }
+
+    /// The same for the list of a voxel, of triangles that have numbers.
+    pub fn weighed_from(&mut self, rule: &Rule, grid: &Grid, span: Span) -> Rule {
+        let (soup, order) = (&self.soup, &self.order[..self.numbered]);
+        let triangle = |object: u32| &soup.triangles[order[object as usize] as usize];
+        let objects = &self.ref_memory[span.start as usize..][..span.count as usize];
+        rule.weighed(grid, Objects { objects, grids: &[], triangle: &triangle }, self.stream)
     }
 
     /// Sorts `objects` (triangles without numbers, by their places in the soup, then

@@ -6,6 +6,7 @@
 //! smaller than 2^-35 of a coordinate. A voxel that becomes a grid of its own is
 //! grown by 2^-10 of it, the bound of the walk's error in the grid above.
 
+use super::turn;
 use crate::aabb::Aabb;
 use crate::arena::layout;
 use crate::math::{cbrt, sqrt};
@@ -37,7 +38,7 @@ pub struct Grid {
     /// [`layout::COVERS`] if made by [`Grid::inside`]; [`layout::TURNED`] if in coordinates
     /// of its own (`turn`).
     pub flags: u32,
-    /// No side of a voxel is smaller: [`least_cell`] of the scene.
+    /// No side of a voxel is smaller: [`least_cell`] of the scene, or what `turn` asks for.
     pub least: f64,
 }
 
@@ -46,8 +47,13 @@ pub struct Grid {
 pub struct Rule {
     pub gridding: Gridding,
     pub alpha: f32,
+    /// The power that overlap numbers act with.
+    pub power: f32,
     /// Counts that were asked for, or zeros.
     pub counts: [u32; 3],
+    /// What counts are multiplied with along each axis, give or take a factor for all,
+    /// where the gridding looks at overlap numbers; ones elsewhere.
+    pub weights: [f64; 3],
 }
 
 impl Grid {
@@ -80,11 +86,12 @@ impl Grid {
             if rule.counts == [0; 3] { counts(&self.extent, rule, objects) } else { rule.counts };
         // Keeps `cell >= 2^-35 |lo|`, on which the walk's error bound rests, and
         // its speeds in the range of f32.
+        let room = if self.is_turned() { turn::MOST } else { MAX_COUNT };
         let n = core::array::from_fn(|k| {
             let far = self.lo[k].abs().max((self.lo[k] + self.extent[k]).abs());
             let most = (self.extent[k] * f64::from(1u32 << 31) * 8.0 / far)
                 .min(self.extent[k] / self.least);
-            n[k].min((most as u32).max(1))
+            n[k].min((most as u32).max(1)).min(room)
         });
         self.cut(self.extent, n)
     }
@@ -163,18 +170,22 @@ fn counts(side: &[f64; 3], rule: &Rule, objects: usize) -> [u32; 3] {
     if rule.gridding == Gridding::Homogeneous {
         return open.map(|open| if open { round(cbrt(target)) } else { 1 });
     }
+    // By the sides, unless the weights say it all.
+    let sides = rule.gridding == Gridding::Proportional;
+    let shape: [f64; 3] =
+        core::array::from_fn(|k| if sides { side[k] / longest } else { rule.weights[k] });
     // An axis whose share is below one voxel gets one and leaves the rest to
     // the others, so that the product stays near the target.
     loop {
         let axes = (0..3).filter(|&k| open[k]);
-        let (count, product) = axes.fold((0, 1.0), |(c, p), k| (c + 1, p * (side[k] / longest)));
+        let (count, product) = axes.fold((0, 1.0), |(c, p), k| (c + 1, p * shape[k]));
         let density = match count {
             0 => return [1; 3],
             1 => target / product,
             2 => sqrt(target / product),
             _ => cbrt(target / product),
         };
-        let share: [f64; 3] = core::array::from_fn(|k| density * (side[k] / longest));
+        let share: [f64; 3] = core::array::from_fn(|k| density * shape[k]);
         match (0..3)
             .filter(|&k| open[k] && share[k] < 1.0)
             .min_by(|&a, &b| share[a].total_cmp(&share[b]))

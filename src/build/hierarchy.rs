@@ -8,11 +8,12 @@ use core::ops::Range;
 
 use super::control::Control;
 use super::draft::{Crowded, Draft, Mark};
-use super::frame::{Grid, Rule};
+use super::frame::Grid;
 use super::overlap;
+use super::uniform::inner_rule;
 use crate::Error;
 use crate::arena::layout::GRID_BIT;
-use crate::options::{Gridding, Hierarchy, MAX_LEVELS};
+use crate::options::{Hierarchy, MAX_LEVELS, Options};
 
 /// No parent yet.
 const NONE: u32 = u32::MAX;
@@ -102,7 +103,7 @@ impl Index {
         control: &mut Control<'_>,
     ) -> Result<Self, Error> {
         let before = draft.mark();
-        let rule = Rule { gridding: Gridding::Proportional, alpha: 1.0, counts: [0; 3] };
+        let rule = inner_rule(&Options::default());
         let grid =
             Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds).divided(&rule, grids.len());
         let objects = &mut objects[..grids.len()];

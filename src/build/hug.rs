@@ -4,6 +4,7 @@ use bytemuck::Zeroable;
 
 use super::capacity::Capacity;
 use super::cluster::{Part, cluster};
+use super::components::components;
 use super::control::Control;
 use super::draft::{Crowded, Draft};
 use super::filter::Levels;
@@ -11,13 +12,11 @@ use super::frame::{Grid, Rule};
 use super::hierarchy::link;
 use super::orient;
 use super::scratch::Scratch;
-use super::turn::Turn;
-use super::uniform::{outer_crowded, outer_rule};
+use super::uniform::{inner_rule, outer_crowded, outer_rule};
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::GRID_BIT;
-use crate::options::{Delta, Options, Orientation};
-use glam::DVec3;
+use crate::options::{Clustering, Delta, Gridding, Options, Orientation};
 
 /// Builds the hierarchy. `objects` is room for
 /// the triangles' numbers and all links.
@@ -58,7 +57,7 @@ pub fn hug<'s>(
         link(draft, options.hierarchy, links, free, parent, control)?
     };
     if options.orientation != Orientation::Aligned {
-        turn(draft, options, ranges, order, &links[..count_links], control)?;
+        orient::clusters(draft, options, ranges, order, &links[..count_links], control)?;
     }
     control.pass(0.45)?;
     fill(draft, options, ranges, order, (home, world), &links[..count_links], objects, control)
@@ -66,7 +65,12 @@ pub fn hug<'s>(
 
 /// Sorts the triangles' numbers by level, into `order`; level k is the range
 /// from entry k to entry k + 1 of the result.
-fn level_ranges(levels: &Levels, boxes: &[Aabb], home: &mut [u8], order: &mut [u32]) -> [u32; 17] {
+pub(super) fn level_ranges(
+    levels: &Levels,
+    boxes: &[Aabb],
+    home: &mut [u8],
+    order: &mut [u32],
+) -> [u32; 17] {
     let mut bounds = [0u32; 17];
     for (home, b) in home.iter_mut().zip(boxes) {
         *home = levels.of(b.diagonal()) as u8;
@@ -85,7 +89,7 @@ fn level_ranges(levels: &Levels, boxes: &[Aabb], home: &mut [u8], order: &mut [u
 }
 
 /// The length that delta is a multiple of.
-fn length(
+pub(super) fn length(
     levels: &Levels,
     level: usize,
     members: &[u32],
@@ -119,12 +123,21 @@ fn clusters(
     let start = range.start;
     let mut number = draft.grids().len();
     let first = number;
-    cluster(&mut order[range], boxes, delta, parts, control, |found| {
+    let found = |_: &[u32], found: core::ops::Range<usize>| {
         if found.len() >= options.min_cluster as usize {
             ranges[number] = [(start + found.start) as u32, (start + found.end) as u32];
             number += 1;
         }
-    })?;
+    };
+    match options.clustering {
+        Clustering::Projections => {
+            cluster(&mut order[range], boxes, delta, parts, control, found)?;
+        }
+        Clustering::Components => {
+            let room = bytemuck::cast_slice_mut(parts);
+            components(&mut order[range], boxes, room, control, found)?;
+        }
+    }
     // Whatever is in no grid of the level goes to the world.
     for home in home.iter_mut().filter(|home| usize::from(**home) == level) {
         *home = world;
@@ -142,58 +155,6 @@ fn clusters(
     Ok(())
 }
 
-/// Turns the grids of clusters that have no grids below and are the better for it. What
-/// refers to them has been decided, by their aligned boxes.
-fn turn(
-    draft: &mut Draft<'_>,
-    options: &Options,
-    ranges: &[[u32; 2]],
-    order: &[u32],
-    links: &[[u32; 2]],
-    control: &mut Control<'_>,
-) -> Result<(), Error> {
-    let total = draft.grids().len();
-    let rule = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
-    for number in 1..total {
-        let [start, end] = ranges[number];
-        let members = &order[start as usize..end as usize];
-        control.tick(members.len(), number, total)?;
-        let below = links.partition_point(|link| (link[0] as usize) < number);
-        if links.get(below).is_some_and(|link| link[0] as usize == number) {
-            continue;
-        }
-        if let Some((grid, turn)) = oriented(draft, options, &rule, number, members) {
-            draft.set_turn(number, grid, turn);
-        }
-    }
-    Ok(())
-}
-
-/// The turned grid of a cluster, if it is to have one.
-fn oriented(
-    draft: &Draft<'_>,
-    options: &Options,
-    rule: &Rule,
-    number: usize,
-    members: &[u32],
-) -> Option<(Grid, Turn)> {
-    let (soup, aligned) = (&draft.soup, &draft.grids()[number]);
-    let lower = DVec3::from(aligned.lo);
-    let origin = lower + 0.5 * DVec3::from(aligned.extent);
-    let corners = members.iter().flat_map(|&i| soup.triangles[i as usize].corners());
-    let points = corners.map(|p| DVec3::from(p.map(f64::from)) - origin);
-    let axes = orient::axes(options.orientation, points.clone());
-    let ends = orient::ends(&axes, points.clone());
-    let plain = orient::ends(&[DVec3::X, DVec3::Y, DVec3::Z], points);
-    let share = f64::from(options.turn_below);
-    // No NaN passes, nor what is too small to turn in `f32`.
-    if !(orient::surface(ends) < share * orient::surface(plain)) {
-        return None;
-    }
-    let turn = Turn::new(&axes, origin, aligned);
-    Some((turn.grid(ends, rule, members.len(), aligned.level, &soup.bounds)?, turn))
-}
-
 /// Cuts each grid into voxels and sorts its objects and lower grids into them.
 #[allow(clippy::too_many_arguments)]
 fn fill(
@@ -206,7 +167,7 @@ fn fill(
     objects: &mut [u32],
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
-    let inner = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
+    let inner = inner_rule(options);
     for (number, range) in ranges.iter().enumerate().take(draft.grids().len()) {
         let (mut count, outer) = (0, number == 0);
         let mut add = |object: u32| {
@@ -222,9 +183,21 @@ fn fill(
         let below = links.iter().take_while(|l| l[0] as usize == number).count();
         links[..below].iter().for_each(|l| add(GRID_BIT | l[1]));
         links = &links[below..];
-        let rule = if outer { outer_rule(options) } else { inner };
+        let rule = if outer {
+            let alpha = options.cluster_alpha(count, draft.soup.triangles.len());
+            Rule { alpha, ..outer_rule(options) }
+        } else {
+            inner
+        };
         let crowded = if outer { outer_crowded(options) } else { Crowded::Coarsen };
-        let grid = draft.grids()[number].divided(&rule, count);
+        let grid = draft.grids()[number];
+        // Overlap is looked at along the axes of the scene.
+        let rule = if grid.is_turned() && rule.gridding.overlaps() {
+            Rule { gridding: Gridding::Proportional, ..rule }
+        } else {
+            draft.weighed(&rule, &grid, &objects[..count])
+        };
+        let grid = grid.divided(&rule, count);
         draft.grids_mut()[number] = grid;
         control.tick(count, number, ranges.len())?;
         control.within(|control| draft.fill(number, &objects[..count], crowded, control))?;

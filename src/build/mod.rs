@@ -8,10 +8,12 @@
 //! is what a build may use of the caller's meanwhile; `gather` and `parts`, which
 //! `flatten` leaves the voxels to, split their work into tasks.
 
+mod arrangement;
 mod bounds;
 mod bucket;
 mod capacity;
 mod cluster;
+mod components;
 mod control;
 mod draft;
 mod exit;
@@ -32,6 +34,7 @@ mod reach;
 mod recursive;
 mod rows;
 mod scratch;
+mod survey;
 mod turn;
 mod uniform;
 
@@ -40,6 +43,7 @@ pub use capacity::Sizes;
 pub use control::Rayon;
 pub use control::{Control, Task, Threads};
 pub use flatten::Plan;
+pub use survey::{Clusters, Survey};
 
 use crate::Error;
 use crate::geometry::{Geometry, count};

@@ -10,7 +10,7 @@
 use super::control::Control;
 use super::draft::{Draft, Span};
 use super::frame::{Grid, Rule};
-use super::uniform::uniform;
+use super::uniform::{inner_rule, uniform};
 use crate::Error;
 use crate::options::Options;
 
@@ -24,8 +24,7 @@ pub fn recursive(
     control.pass(0.3)?;
     uniform(draft, options, objects, control)?;
     control.pass(0.45)?;
-    let rule = Rule { gridding: options.gridding, alpha: options.alpha, counts: [0; 3] };
-    let mut splitter = Splitter { rule, maxp: options.maxp, wasted: 0 };
+    let mut splitter = Splitter { rule: inner_rule(options), maxp: options.maxp, wasted: 0 };
     let mut number = 0;
     while number < draft.grids().len() {
         // Depth for now; levels count from the deepest and are set below.
@@ -67,7 +66,8 @@ impl Splitter {
             let span = draft.spans(&grid)[voxel];
             if span.count > self.maxp {
                 let child = grid.inside(at, grid.level + 1);
-                let child = child.divided(&self.rule, span.count as usize);
+                let rule = draft.weighed_from(&self.rule, &child, span);
+                let child = child.divided(&rule, span.count as usize);
                 if !self.split(draft, child, (grid.first as usize + voxel, span), control)? {
                     return Ok(false);
                 }

@@ -9,9 +9,9 @@
 //!
 //! Grids that refer to a turned one see the box, aligned, of its triangles.
 
-use super::frame::{Grid, Rule};
+use super::frame::Grid;
 use crate::aabb::Aabb;
-use crate::arena::layout::{Frame, Triangle};
+use crate::arena::layout::{Frame, TURNED, Triangle};
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
@@ -39,24 +39,17 @@ impl Turn {
 
     /// The grid, not yet cut, around what lies between these ends of its axes; `None` where
     /// `f32` or the walk's `f64` could not tell places in it well enough.
-    pub fn grid(
-        &self,
-        [lo, hi]: [DVec3; 2],
-        rule: &Rule,
-        objects: usize,
-        level: u32,
-        scene: &Aabb,
-    ) -> Option<Grid> {
+    pub fn grid(&self, [lo, hi]: [DVec3; 2], level: u32, scene: &Aabb) -> Option<Grid> {
         // Thin boxes get some room, or their voxels would be as thin as rounding errors.
         let longest = (hi - lo).max_element();
         let room = DVec3::splat(longest / f64::from(1 << 20));
         let [lo, hi] = [lo - room, hi + room].map(|p| p.as_vec3().to_array());
         let grid = Grid::around(&Aabb { lo, hi }, level, scene);
-        let cut = grid.divided(rule, objects);
-        let least = cut.cell.iter().copied().fold(f64::INFINITY, f64::min);
         let far = DVec3::from(self.origin).abs().max_element() + longest;
-        let told = least * f64::from(1u32 << 31) * 16.0 >= far && (1e-25..1e30).contains(&longest);
-        (told && cut.n.iter().all(|&n| n <= MOST)).then_some(grid)
+        let least = grid.least.max(far / f64::from(1u32 << 31) / 16.0);
+        let told = grid.extent.iter().all(|&side| side >= least);
+        let held = (1e-25..1e30).contains(&longest);
+        (told && held).then_some(Grid { least, flags: u32::from(TURNED), ..grid })
     }
 
     /// A triangle in the grid's coordinates. Ids and mask are not those of the triangle.

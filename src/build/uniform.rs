@@ -8,7 +8,13 @@ use crate::options::Options;
 
 /// The outermost grid's rule for its counts.
 pub fn outer_rule(options: &Options) -> Rule {
-    Rule { gridding: options.gridding, alpha: options.outer_alpha(), counts: options.counts }
+    Rule { alpha: options.outer_alpha(), counts: options.counts, ..inner_rule(options) }
+}
+
+/// The rule of the grids below.
+pub fn inner_rule(options: &Options) -> Rule {
+    let Options { gridding, alpha, overlap_power: power, .. } = *options;
+    Rule { gridding, alpha, power, counts: [0; 3], weights: [1.0; 3] }
 }
 
 /// What to do when the outermost grid's references exceed its budget.
@@ -24,12 +30,12 @@ pub fn uniform(
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let count = draft.soup.triangles.len();
-    let grid = Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds)
-        .divided(&outer_rule(options), count);
-    let number = draft.push(grid)?;
     let objects = &mut objects[..count];
     for (i, object) in (0..).zip(objects.iter_mut()) {
         *object = i;
     }
+    let grid = Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds);
+    let rule = draft.weighed(&outer_rule(options), &grid, objects);
+    let number = draft.push(grid.divided(&rule, count))?;
     draft.fill(number, objects, outer_crowded(options), control)
 }

@@ -85,6 +85,12 @@ impl<'a> Parsed<'a> {
         sum.filter(|&n| n <= MAX_TRIANGLES).ok_or(Error::Limit)
     }
 
+    /// The geometries, one by one.
+    pub fn each(&self) -> impl Iterator<Item = Result<Geometry<'a>, Error>> + Clone + use<'a> {
+        // SAFETY: each passed the check; readable by the contract of `read`.
+        self.geometries.iter().map(|of| unsafe { geometry(of) })
+    }
+
     /// What the build proper needs.
     pub fn sizes(&self) -> Result<Sizes, Error> {
         build::measure_count(self.triangle_count()?, &self.options)

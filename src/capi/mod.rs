@@ -10,6 +10,7 @@
 // The comments are C documentation: brackets are subscripts there.
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::invalid_html_tags)]
 
+mod advise;
 mod all;
 mod budget;
 mod build;
@@ -32,6 +33,7 @@ mod stream;
 mod stream_soa;
 pub mod types;
 
+pub use advise::*;
 pub use all::*;
 pub use budget::*;
 pub use build::*;

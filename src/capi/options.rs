@@ -2,13 +2,15 @@
 
 use super::desc::slice;
 use super::types::{
-    HUG_BUILD_COMPACT, HUG_BUILD_KEEP_SCRATCH, HUG_BUILD_PLAIN_STEPS, HUG_DELTA_MEAN,
-    HUG_GRIDDING_HOMOGENEOUS, HUG_HIERARCHY_PAPER, HUG_ORIENTATION_HULL, HUG_ORIENTATION_SEARCH,
-    HUG_ORIENTATION_VERTICES, HUG_QUALITY_FAST, HUG_QUALITY_HIGH, hug_build_desc,
+    HUG_BUILD_COMPACT, HUG_BUILD_KEEP_SCRATCH, HUG_BUILD_PLAIN_STEPS, HUG_CLUSTERING_COMPONENTS,
+    HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_GRIDDING_MIXED, HUG_GRIDDING_OVERLAP,
+    HUG_HIERARCHY_PAPER, HUG_ORIENTATION_HULL, HUG_ORIENTATION_SEARCH, HUG_ORIENTATION_VERTICES,
+    HUG_QUALITY_FAST, HUG_QUALITY_HIGH, hug_build_desc,
 };
 use crate::Error;
 use crate::options::{
-    Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Orientation, Quality, Structure,
+    Clustering, Delta, Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Orientation, Quality,
+    Structure,
 };
 
 fn or<T: PartialEq + Default>(value: T, default: T) -> T {
@@ -34,8 +36,11 @@ pub unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
         gridding: match d.gridding {
             0 => Gridding::Proportional,
             HUG_GRIDDING_HOMOGENEOUS => Gridding::Homogeneous,
+            HUG_GRIDDING_OVERLAP => Gridding::Overlap,
+            HUG_GRIDDING_MIXED => Gridding::Mixed,
             _ => return Err(Error::InvalidValue),
         },
+        overlap_power: or(d.overlap_power, normal.overlap_power),
         counts: d.counts,
         alpha: or(d.alpha, normal.alpha),
         world_alpha: (d.world_alpha != 0.0).then_some(d.world_alpha),
@@ -43,6 +48,11 @@ pub unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
         max_depth: or(d.max_depth, normal.max_depth),
         // SAFETY: by the caller.
         filter: unsafe { filter(d) }?,
+        clustering: match d.clustering {
+            0 => Clustering::Projections,
+            HUG_CLUSTERING_COMPONENTS => Clustering::Components,
+            _ => return Err(Error::InvalidValue),
+        },
         connectivity: or(d.connectivity, normal.connectivity),
         delta: match d.delta {
             0 => Delta::Midpoint,

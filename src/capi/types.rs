@@ -77,6 +77,19 @@ pub type hug_gridding = u32;
 pub const HUG_GRIDDING_PROPORTIONAL: hug_gridding = 0;
 /// The same count along every axis, as in the paper.
 pub const HUG_GRIDDING_HOMOGENEOUS: hug_gridding = 1;
+/// The more along an axis, the less the objects overlap along it (Definition 4): in
+/// proportion to (1 + c)^-overlap_power, with c the objects that an end of an object
+/// lies in on the average.
+pub const HUG_GRIDDING_OVERLAP: hug_gridding = 2;
+/// In proportion to the sides of the box and to the overlap's power.
+pub const HUG_GRIDDING_MIXED: hug_gridding = 3;
+
+/// What a cluster of a HUG is: HUG_CLUSTERING_*.
+pub type hug_clustering = u32;
+/// Triangles whose projections are delta-connected along x, y and z (Definition 3).
+pub const HUG_CLUSTERING_PROJECTIONS: hug_clustering = 0;
+/// A connected component of the graph of boxes that intersect (Definition 5).
+pub const HUG_CLUSTERING_COMPONENTS: hug_clustering = 1;
 
 /// What delta is a multiple of (Definition 2): HUG_DELTA_*.
 pub type hug_delta = u32;
@@ -205,7 +218,8 @@ pub struct hug_build_desc {
     pub counts: [u32; 3],
     /// Voxels per axis and cube root of a grid's objects, 0.1 to 16. 0 means 1.
     pub alpha: f32,
-    /// The same for the outermost grid. 0 means alpha, or sqrt(2) for the HUG.
+    /// The same for the outermost grid. 0 means alpha, for the HUG sqrt(2), or with two levels up
+    /// to 2 as long as there are no more voxels than sqrt(2) makes for all triangles.
     pub world_alpha: f32,
     /// Recursive grid: a voxel of more references becomes a grid. 0 means 50.
     pub maxp: u32,
@@ -249,6 +263,10 @@ pub struct hug_build_desc {
     pub progress: hug_progress_fn,
     /// Passed to progress.
     pub progress_user: *mut c_void,
+    /// HUG: HUG_CLUSTERING_*.
+    pub clustering: hug_clustering,
+    /// HUG_GRIDDING_OVERLAP and HUG_GRIDDING_MIXED: how strongly overlap acts, in (0, 4]. 0 means 0.5.
+    pub overlap_power: f32,
     /// HUG: HUG_ORIENTATION_*, for clusters without grids below.
     pub orientation: hug_orientation,
     /// HUG: a cluster's box is turned if it has less than this share of the surface of the

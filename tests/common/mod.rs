@@ -9,8 +9,8 @@ pub mod layout;
 pub mod native;
 
 use hug::{
-    Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Orientation, Ray, Scene,
-    Structure,
+    Clustering, Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Orientation,
+    Ray, Scene, Structure,
 };
 use hug_kit::random::Random;
 use hug_kit::{Bounds, Mesh, rays, soups};
@@ -52,6 +52,9 @@ pub fn configurations() -> Vec<(&'static str, Options)> {
     let of = |structure| Options { structure, ..base };
     let hug = of(Structure::Hug);
     let three = Options { filter: Filter::ThreeLevels, ..hug };
+    let components = Options { clustering: Clustering::Components, ..hug };
+    let overlap = |options| Options { gridding: Gridding::Overlap, ..options };
+    let mixed = Gridding::Mixed;
     let mut at = [0.0; 15];
     at[..3].copy_from_slice(&[0.02, 0.1, 0.4]);
     vec![
@@ -72,6 +75,42 @@ pub fn configurations() -> Vec<(&'static str, Options)> {
         ("u.f3 paper", Options { hierarchy: Hierarchy::Paper, min_cluster: 1, ..three }),
         ("u.f3 mean", Options { delta: Delta::Mean, connectivity: 0.3, ..three }),
         ("u.f4", Options { filter: Filter::Thresholds { count: 3, at }, min_cluster: 1, ..hug }),
+        ("u.f2 components", components),
+        (
+            "u.f3 components",
+            Options { clustering: Clustering::Components, min_cluster: 1, ..three },
+        ),
+        (
+            "u.f3 components, paper",
+            Options { hierarchy: Hierarchy::Paper, filter: Filter::ThreeLevels, ..components },
+        ),
+        ("u.f2 overlap", overlap(components)),
+        ("u.f3 mixed", Options { gridding: mixed, overlap_power: 2.0, ..three }),
+        ("g overlap", overlap(of(Structure::Uniform))),
+        (
+            "r4 overlap",
+            Options { maxp: 4, overlap_power: 1.0, ..overlap(of(Structure::Recursive)) },
+        ),
+        ("r4 mixed", Options { maxp: 4, gridding: mixed, ..of(Structure::Recursive) }),
+    ]
+}
+
+/// The options of section 7 that change how long a build takes, and how much memory.
+pub fn section_7() -> [(&'static str, Options); 4] {
+    let hug = Options {
+        structure: Structure::Hug,
+        clustering: Clustering::Components,
+        ..Options::default()
+    };
+    let overlap = Options { gridding: Gridding::Overlap, ..hug };
+    [
+        ("HUG of components", hug),
+        ("the same, few in the world", Options { filter: Filter::TwoLevels(1.0), ..hug }),
+        (
+            "the same, overlap",
+            Options { min_cluster: 1, filter: Filter::TwoLevels(1.0), ..overlap },
+        ),
+        ("recursive, overlap", Options { structure: Structure::Recursive, ..overlap }),
     ]
 }
 

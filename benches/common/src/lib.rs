@@ -19,3 +19,4 @@ pub mod ply;
 pub mod ray_sets;
 pub mod rounds;
 pub mod table;
+pub mod variation;

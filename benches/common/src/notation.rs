@@ -1,6 +1,8 @@
 //! Configurations written as in the paper (section 1.3): `dataSetName.dataStructureName`, such as
-//! `kit.g28`, `kit.r50`, `kit.u.f3.sqrt2`, `csbc.u.f3.1`.
+//! `kit.g28`, `kit.r50`, `kit.u.f3.sqrt2`, `csbc.u.f3.1`; options of a HUG that the paper has no
+//! letter for follow after a plus sign ([`Variation`]).
 
+use super::variation::Variation;
 use hug::{Filter, Gridding, Hierarchy, MAX_LEVELS, Options, Structure};
 use std::f32::consts::SQRT_2;
 use std::fmt;
@@ -13,8 +15,9 @@ pub enum Notation {
     Uniform(Option<u32>),
     /// `r50`: a recursive grid with MAXP = 50.
     Recursive(u32),
-    /// `u.f3.sqrt2`: a HUG, the levels of its filter, and alpha of its world cluster.
-    Hug { levels: u32, alpha: f32 },
+    /// `u.f3.sqrt2`: a HUG, the levels of its filter, and alpha of its world cluster; what
+    /// differs from the paper's.
+    Hug { levels: u32, alpha: f32, with: Variation },
     /// `auto`: not the paper's; what the library builds unless it is told otherwise.
     Auto,
 }
@@ -75,7 +78,7 @@ impl Notation {
                 Options { structure: Structure::Uniform, counts: [n.unwrap_or(0); 3], ..base }
             }
             Self::Recursive(maxp) => Options { structure: Structure::Recursive, maxp, ..base },
-            Self::Hug { levels, alpha } => Options {
+            Self::Hug { levels, alpha, with } => with.apply(Options {
                 structure: Structure::Hug,
                 filter: match levels {
                     1 => Filter::Thresholds { count: 0, at: [0.0; MAX_LEVELS - 1] },
@@ -84,7 +87,7 @@ impl Notation {
                 },
                 world_alpha: Some(alpha),
                 ..base
-            },
+            }),
             Self::Auto => Options::default(),
         }
     }
@@ -96,8 +99,10 @@ impl fmt::Display for Notation {
             Self::Uniform(None) => write!(f, "g"),
             Self::Uniform(Some(n)) => write!(f, "g{n}"),
             Self::Recursive(maxp) => write!(f, "r{maxp}"),
-            Self::Hug { levels, alpha } if *alpha == SQRT_2 => write!(f, "u.f{levels}.sqrt2"),
-            Self::Hug { levels, alpha } => write!(f, "u.f{levels}.{alpha}"),
+            Self::Hug { levels, alpha, with } if *alpha == SQRT_2 => {
+                write!(f, "u.f{levels}.sqrt2{with}")
+            }
+            Self::Hug { levels, alpha, with } => write!(f, "u.f{levels}.{alpha}{with}"),
             Self::Auto => write!(f, "auto"),
         }
     }
@@ -135,12 +140,13 @@ impl FromStr for Notation {
         if text == "auto" {
             Ok(Self::Auto)
         } else if let Some(rest) = text.strip_prefix("u.f") {
+            let (rest, with) = Variation::split(rest).map_err(|why| refuse(&why))?;
             let (levels, alpha) = rest.split_once('.').ok_or_else(|| refuse("alpha is missing"))?;
             let levels = number(levels, 3)?;
             let alpha = coefficient(alpha).ok_or_else(|| {
                 refuse(&format!("{alpha:?} is not a number from 0.1 to 16, or sqrt of one"))
             })?;
-            Ok(Self::Hug { levels, alpha })
+            Ok(Self::Hug { levels, alpha, with })
         } else if text == "g" {
             Ok(Self::Uniform(None))
         } else if let Some(n) = text.strip_prefix('g') {

@@ -1,8 +1,9 @@
 //! The paper's notation is read, written, and refused with a reason.
 #![allow(missing_docs)]
 
-use hug::{Filter, Gridding, Options, Structure};
+use hug::{Clustering, Filter, Gridding, Hierarchy, Options, Structure};
 use hug_bench::notation::{Configuration, Notation, scene, short};
+use hug_bench::variation::Variation;
 use std::f32::consts::SQRT_2;
 
 fn read(text: &str) -> Configuration {
@@ -11,7 +12,9 @@ fn read(text: &str) -> Configuration {
 
 #[test]
 fn the_papers_configurations() {
-    let hug = |levels, alpha| Notation::Hug { levels, alpha };
+    let hug = |levels, alpha| Notation::Hug { levels, alpha, with: Variation::default() };
+    let with = "components+min=16".parse().expect("options");
+    let components = Notation::Hug { levels: 2, alpha: SQRT_2, with };
     for (text, scene, view, structure) in [
         ("kit.g28", "kitchen", None, Notation::Uniform(Some(28))),
         ("kit.r50", "kitchen", None, Notation::Recursive(50)),
@@ -24,6 +27,7 @@ fn the_papers_configurations() {
         ("city.g", "city", None, Notation::Uniform(None)),
         ("bunny.auto", "bunny", None, Notation::Auto),
         ("clustered:500.u.f1.1.5", "clustered:500", None, hug(1, 1.5)),
+        ("kit.u.f2.sqrt2+components+min=16", "kitchen", None, components),
         ("my.scene.r4", "my.scene", None, Notation::Recursive(4)),
     ] {
         let found = read(text);
@@ -72,6 +76,12 @@ fn refused_with_a_reason() {
         "kit.u.f2.17",
         "kit.u.f2.sqrt",
         "kit.u.f2.1e1",
+        "kit.u.f2.1+",
+        "kit.u.f2.1+island",
+        "kit.u.f2.1+min=0",
+        "kit.u.f2.1+power=5",
+        "kit.u.f2.1+power=-1",
+        "kit.u.f2.1+components=1",
         "kit.r99999999999",
     ] {
         let error = text.parse::<Configuration>().expect_err(text);
@@ -92,6 +102,11 @@ fn options_are_the_papers() {
     assert_eq!(options("u.f3.1").filter, Filter::ThreeLevels);
     assert_eq!(options("u.f2.sqrt2").world_alpha, Some(SQRT_2));
     assert_eq!(options("auto"), Options::default());
+    let varied = options("u.f2.1+components+mixed+nested+exit+power=0.25+world=2.5+share=0.01");
+    assert_eq!((varied.clustering, varied.gridding), (Clustering::Components, Gridding::Mixed));
+    assert_eq!((varied.hierarchy, varied.exit_boxes), (Hierarchy::Nested, true));
+    assert_eq!((varied.overlap_power, varied.world_alpha), (0.25, Some(2.5)));
+    assert_eq!(varied.filter, Filter::TwoLevels(0.01));
     let refs = |triangles| Notation::Recursive(50).options_for(triangles).max_refs;
     assert_eq!((refs(0), refs(20_000), refs(1 << 20), refs(1 << 30)), (4096, 4096, 256, 32));
 }

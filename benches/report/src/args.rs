@@ -3,6 +3,7 @@
 use crate::selected::Curve;
 use clap::{Parser, ValueEnum};
 use hug_bench::notation::{Configuration, Notation, scene};
+use hug_bench::variation::Variation;
 use std::path::PathBuf;
 
 /// Repeats the tables, plots and claims of Cazals & Puech 1997 on the project's scenes and any
@@ -117,7 +118,7 @@ impl Args {
 /// building the paper has a finer one.
 pub fn paper_structures(short: &str, triangles: u64) -> Vec<Notation> {
     let side = (triangles as f64).cbrt().round().clamp(1.0, 2048.0) as u32;
-    let hug = |levels, alpha| Notation::Hug { levels, alpha };
+    let hug = |levels, alpha| Notation::Hug { levels, alpha, with: Variation::default() };
     let mut all = vec![
         Notation::Uniform(Some(side)),
         Notation::Recursive(50),

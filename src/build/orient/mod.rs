@@ -7,8 +7,11 @@
 //! box unless the turned one has less than a given share of its surface, which stands
 //! for what it costs to turn a ray.
 
+mod clusters;
 mod hull;
 mod pca;
+
+pub use clusters::clusters;
 
 use crate::options::Orientation;
 use glam::{DMat3, DVec3};

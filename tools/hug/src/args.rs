@@ -4,6 +4,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use hug::{Options, Quality};
 use hug_bench::kind::Kind;
 use hug_bench::notation::Notation;
+use hug_bench::variation::Variation;
 use std::path::PathBuf;
 
 const SCENES: &str = "\
@@ -34,6 +35,9 @@ pub enum Command {
     /// Compares the structures on a scene: builds, memory, rays, and that all agree
     #[command(after_help = SCENES)]
     Compare(Compare),
+    /// Counts what structures are made of and what rays do in them; no clock is read
+    #[command(after_help = SCENES)]
+    Count(Count),
     /// Repeats the tables, plots and claims of Cazals & Puech 1997, as a page
     Report(hug_report::args::Args),
 }
@@ -42,7 +46,7 @@ pub enum Command {
 #[derive(clap::Args, Clone, Debug)]
 pub struct How {
     /// auto, uniform, recursive or hug; or a structure in the paper's notation: g28, r50,
-    /// u.f3.sqrt2
+    /// u.f3.sqrt2. Options may follow, as in hug+components+min=32 or uniform+overlap
     #[arg(long, default_value = "auto", value_parser = structure)]
     pub structure: Named,
     /// How fine a structure auto builds
@@ -87,10 +91,12 @@ pub struct Named {
 }
 
 fn structure(text: &str) -> Result<Named, String> {
-    let options = match Kind::from_str(text, true) {
+    let (name, with) = Variation::split(text)?;
+    let options = match Kind::from_str(name, true) {
         Ok(kind) => kind.options(),
-        Err(_) => text.parse::<Notation>()?.options(),
+        Err(_) => name.parse::<Notation>()?.options(),
     };
+    let options = with.apply(options);
     Ok(Named { name: text.to_owned(), options })
 }
 
@@ -181,6 +187,23 @@ pub struct Compare {
     /// Rays of each set to check against every triangle
     #[arg(long, default_value_t = 32)]
     pub check: u32,
+    /// No progress bars
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+#[derive(clap::Args, Debug)]
+pub struct Count {
+    /// What to count in; several with spaces
+    #[arg(required = true)]
+    pub scene: Vec<String>,
+    /// Structures, as for build; again or with commas
+    #[arg(long, value_delimiter = ',', default_value = crate::count::VARIANTS,
+          value_parser = structure)]
+    pub structure: Vec<Named>,
+    /// Pixels along each side of the frame that rays come from
+    #[arg(long, default_value_t = 128, value_parser = clap::value_parser!(u32).range(1..=2048))]
+    pub size: u32,
     /// No progress bars
     #[arg(long, short)]
     pub quiet: bool,

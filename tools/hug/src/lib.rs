@@ -4,6 +4,7 @@
 pub mod args;
 pub mod build;
 pub mod compare;
+pub mod count;
 pub mod file;
 pub mod info;
 pub mod input;

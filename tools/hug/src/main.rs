@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use hug_tool::args::{Args, Command};
-use hug_tool::{build, compare, info, render, report};
+use hug_tool::{build, compare, count, info, render, report};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -12,6 +12,7 @@ fn main() -> ExitCode {
         Command::Info(args) => info::run(args),
         Command::Render(args) => render::run(args),
         Command::Compare(args) => compare::run(args),
+        Command::Count(args) => count::run(args),
         Command::Report(args) => report::run(args),
     })
 }

@@ -176,3 +176,30 @@ fn help_says_what_a_scene_is() {
         assert!(help.contains(command), "{command}");
     }
 }
+
+/// What is counted is the same on every machine: these are the kitchen's own figures.
+#[test]
+fn counts() {
+    let text = printed(&[
+        "count",
+        "kitchen",
+        "-q",
+        "--size",
+        "8",
+        "--structure",
+        "hug,hug+components,uniform+overlap",
+    ]);
+    assert!(text.contains("most triangles are small and stand together"), "{text}");
+    let row = |name: &str| -> Vec<f64> {
+        let start = format!("| {name} ");
+        let line = text.lines().find(|line| line.starts_with(&start)).expect(&text);
+        line.split('|').filter_map(|cell| cell.trim().parse().ok()).collect()
+    };
+    let (projections, components) = (row("hug"), row("hug+components"));
+    assert_eq!([&projections, &components].map(Vec::len), [10, 10]);
+    assert!(components[0] < projections[0] && components[1] > projections[1], "{text}");
+    assert_eq!(row("uniform+overlap")[1], 1.0, "{text}");
+    assert!(text.contains("| advised: TwoLevels(0.05), Components |"), "{text}");
+    let error = refused(&["count", "kitchen", "-q", "--structure", "hug+island"]);
+    assert!(error.contains("+island: unknown"), "{error}");
+}

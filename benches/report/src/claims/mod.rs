@@ -1,6 +1,7 @@
 //! The paper's claims, each judged by what was measured here.
 
 mod calls;
+mod clusters;
 mod costs;
 mod occupancy;
 mod selected;
@@ -80,7 +81,7 @@ pub fn all(subjects: &[Subject], comparisons: &[Comparison]) -> Vec<Claim> {
     let mut claims = Vec::new();
     if !subjects.is_empty() {
         let evidence = Evidence(subjects);
-        let all = [occupancy::claims, calls::claims, costs::claims, time::claims];
+        let all = [occupancy::claims, calls::claims, costs::claims, time::claims, clusters::claims];
         claims.extend(all.into_iter().flat_map(|claims| claims(&evidence)));
     }
     if !comparisons.is_empty() {

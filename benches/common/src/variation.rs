@@ -1,0 +1,138 @@
+//! What may follow the name of a structure: options that the paper has no letter for, each after
+//! a plus sign, as in `u.f2.sqrt2+components+min=8`.
+
+use hug::{Clustering, Filter, Gridding, Hierarchy, Options};
+use std::fmt;
+use std::str::FromStr;
+
+/// Options that differ from those of a structure's name.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Variation {
+    clustering: Option<Clustering>,
+    gridding: Option<Gridding>,
+    power: Option<f32>,
+    hierarchy: Option<Hierarchy>,
+    min_cluster: Option<u32>,
+    share: Option<f32>,
+    alpha: Option<f32>,
+    world_alpha: Option<f32>,
+    exit_boxes: Option<bool>,
+}
+
+const CLUSTERINGS: [(&str, Clustering); 2] =
+    [("projections", Clustering::Projections), ("components", Clustering::Components)];
+
+const GRIDDINGS: [(&str, Gridding); 4] = [
+    ("proportional", Gridding::Proportional),
+    ("homogeneous", Gridding::Homogeneous),
+    ("overlap", Gridding::Overlap),
+    ("mixed", Gridding::Mixed),
+];
+
+const HIERARCHIES: [(&str, Hierarchy); 2] =
+    [("nested", Hierarchy::Nested), ("paper", Hierarchy::Paper)];
+
+const STEPS: [(&str, bool); 2] = [("exit", true), ("plain", false)];
+
+const FORMS: &str = "projections, components, proportional, homogeneous, overlap, mixed, nested, \
+                     paper, exit, plain, or power, min, share, alpha, world = a number";
+
+fn of<T: Copy>(list: &[(&str, T)], name: &str) -> Option<T> {
+    list.iter().find(|known| known.0 == name).map(|known| known.1)
+}
+
+fn name<T: PartialEq>(list: &[(&'static str, T)], value: &T) -> &'static str {
+    list.iter().find(|known| known.1 == *value).map_or("", |known| known.0)
+}
+
+impl Variation {
+    /// A name, and what follows it from the first plus sign on.
+    pub fn split(text: &str) -> Result<(&str, Self), String> {
+        match text.split_once('+') {
+            None => Ok((text, Self::default())),
+            Some((name, rest)) => Ok((name, rest.parse()?)),
+        }
+    }
+
+    /// `options` with what differs.
+    pub fn apply(&self, options: Options) -> Options {
+        Options {
+            clustering: self.clustering.unwrap_or(options.clustering),
+            gridding: self.gridding.unwrap_or(options.gridding),
+            overlap_power: self.power.unwrap_or(options.overlap_power),
+            hierarchy: self.hierarchy.unwrap_or(options.hierarchy),
+            min_cluster: self.min_cluster.unwrap_or(options.min_cluster),
+            filter: self.share.map_or(options.filter, Filter::TwoLevels),
+            alpha: self.alpha.unwrap_or(options.alpha),
+            world_alpha: self.world_alpha.or(options.world_alpha),
+            exit_boxes: self.exit_boxes.unwrap_or(options.exit_boxes),
+            ..options
+        }
+    }
+
+    fn set(&mut self, item: &str) -> Option<()> {
+        let Some((key, value)) = item.split_once('=') else {
+            self.clustering = of(&CLUSTERINGS, item).or(self.clustering);
+            self.gridding = of(&GRIDDINGS, item).or(self.gridding);
+            self.hierarchy = of(&HIERARCHIES, item).or(self.hierarchy);
+            self.exit_boxes = of(&STEPS, item).or(self.exit_boxes);
+            let known = of(&CLUSTERINGS, item).is_some()
+                || of(&GRIDDINGS, item).is_some()
+                || of(&HIERARCHIES, item).is_some()
+                || of(&STEPS, item).is_some();
+            return known.then_some(());
+        };
+        let plain = value.bytes().all(|b| b.is_ascii_digit() || b == b'.');
+        let number = || value.parse().ok().filter(|_| plain);
+        match key {
+            "min" => self.min_cluster = Some(value.parse().ok().filter(|_| plain)?),
+            "power" => self.power = Some(number()?),
+            "share" => self.share = Some(number()?),
+            "alpha" => self.alpha = Some(number()?),
+            "world" => self.world_alpha = Some(number()?),
+            _ => return None,
+        }
+        self.apply(Options::default()).check().ok()
+    }
+}
+
+impl FromStr for Variation {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut all = Self::default();
+        for item in text.split('+') {
+            all.set(item).ok_or_else(|| {
+                format!("+{item}: unknown, or out of range; after a plus sign comes {FORMS}")
+            })?;
+        }
+        Ok(all)
+    }
+}
+
+impl fmt::Display for Variation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = [
+            self.clustering.map(|c| name(&CLUSTERINGS, &c)),
+            self.gridding.map(|g| name(&GRIDDINGS, &g)),
+            self.hierarchy.map(|h| name(&HIERARCHIES, &h)),
+            self.exit_boxes.map(|e| name(&STEPS, &e)),
+        ];
+        words.into_iter().flatten().try_for_each(|word| write!(f, "+{word}"))?;
+        if let Some(n) = self.min_cluster {
+            write!(f, "+min={n}")?;
+        }
+        let numbers = [
+            ("power", self.power),
+            ("share", self.share),
+            ("alpha", self.alpha),
+            ("world", self.world_alpha),
+        ];
+        for (key, number) in numbers {
+            if let Some(x) = number {
+                write!(f, "+{key}={x}")?;
+            }
+        }
+        Ok(())
+    }
+}
