@@ -183,6 +183,11 @@ typedef void (*hug_parallel_for_fn)(void *user, size_t tasks, hug_task_fn task, 
 typedef int32_t (*hug_progress_fn)(void *user, double fraction);
 
 /**
+ * What a cluster of a HUG is: HUG_CLUSTERING_*.
+ */
+typedef uint32_t hug_clustering;
+
+/**
  * How the boxes of a HUG's clusters lie: HUG_ORIENTATION_*.
  */
 typedef uint32_t hug_orientation;
@@ -223,7 +228,8 @@ typedef struct {
    */
   float alpha;
   /**
-   * The same for the outermost grid. 0 means alpha, or sqrt(2) for the HUG.
+   * The same for the outermost grid. 0 means alpha, for the HUG sqrt(2), or with two levels up
+   * to 2 as long as there are no more voxels than sqrt(2) makes for all triangles.
    */
   float world_alpha;
   /**
@@ -308,6 +314,14 @@ typedef struct {
    * Passed to progress.
    */
   void *progress_user;
+  /**
+   * HUG: HUG_CLUSTERING_*.
+   */
+  hug_clustering clustering;
+  /**
+   * HUG_GRIDDING_OVERLAP and HUG_GRIDDING_MIXED: how strongly overlap acts, in (0, 4]. 0 means 0.5.
+   */
+  float overlap_power;
   /**
    * HUG: HUG_ORIENTATION_*, for clusters without grids below.
    */
@@ -939,6 +953,128 @@ typedef struct {
 } hug_nearest;
 
 /**
+ * Why a structure was chosen: HUG_REASON_*.
+ */
+typedef uint32_t hug_reason;
+
+/**
+ * What was measured of triangles, and what to build of them. Zero it and set
+ * struct_size; the rest is written.
+ */
+typedef struct {
+  /**
+   * sizeof(hug_advice).
+   */
+  size_t struct_size;
+  /**
+   * Triangles with finite corners and a length, the diagonal of their box.
+   */
+  uint64_t triangles;
+  /**
+   * The share of them shorter than 5 % of the longest: the small ones.
+   */
+  double small;
+  /**
+   * Deviation over mean of the lengths.
+   */
+  double variation;
+  /**
+   * The share of the cells of a 10 x 10 x 10 grid over the scene that centres of small
+   * triangles lie in; of all triangles, if fewer than half of them are small.
+   */
+  double occupied;
+  /**
+   * What that share would be if as many points were scattered at random.
+   */
+  double expected;
+  /**
+   * How many times more likely two of the centres share a cell than two such points.
+   */
+  double crowding;
+  /**
+   * 1 if clusters are to be expected, else 0.
+   */
+  uint32_t prone;
+  /**
+   * What to build: HUG_STRUCTURE_*.
+   */
+  hug_structure structure;
+  /**
+   * For hug_build_desc, should it be a HUG.
+   */
+  uint32_t filter_levels;
+  /**
+   * The same.
+   */
+  float filter_share;
+  /**
+   * The same.
+   */
+  hug_clustering clustering;
+  /**
+   * Why: HUG_REASON_*.
+   */
+  hug_reason reason;
+} hug_advice;
+
+/**
+ * The clusters that one way of clustering makes of all levels below the world's.
+ */
+typedef struct {
+  /**
+   * All of them.
+   */
+  uint64_t clusters;
+  /**
+   * Those of at least min_cluster triangles, which become grids.
+   */
+  uint64_t grids;
+  /**
+   * Triangles in these; all others are in the world.
+   */
+  uint64_t objects;
+  /**
+   * The sum of %vol over all levels, over 100.
+   */
+  double volume;
+} hug_clusters;
+
+/**
+ * What filter and clusterings make of triangles. Zero it and set struct_size; the rest
+ * is written.
+ */
+typedef struct {
+  /**
+   * sizeof(hug_clusterings).
+   */
+  size_t struct_size;
+  /**
+   * Triangles that a build keeps.
+   */
+  uint64_t triangles;
+  /**
+   * Those in levels below the world's.
+   */
+  uint64_t filtered;
+  /**
+   * Pairs of these, of the same level, whose boxes intersect in projection along z.
+   */
+  uint64_t plane_pairs;
+  /**
+   * Pairs whose boxes intersect.
+   */
+  uint64_t pairs;
+  /**
+   * HUG_CLUSTERING_PROJECTIONS.
+   */
+  hug_clusters projections;
+  /**
+   * HUG_CLUSTERING_COMPONENTS.
+   */
+  hug_clusters components;
+} hug_clusterings;
+
+/**
  * Success.
  */
 #define HUG_OK 0
@@ -1079,6 +1215,28 @@ typedef struct {
 #define HUG_GRIDDING_HOMOGENEOUS 1
 
 /**
+ * The more along an axis, the less the objects overlap along it (Definition 4): in
+ * proportion to (1 + c)^-overlap_power, with c the objects that an end of an object
+ * lies in on the average.
+ */
+#define HUG_GRIDDING_OVERLAP 2
+
+/**
+ * In proportion to the sides of the box and to the overlap's power.
+ */
+#define HUG_GRIDDING_MIXED 3
+
+/**
+ * Triangles whose projections are delta-connected along x, y and z (Definition 3).
+ */
+#define HUG_CLUSTERING_PROJECTIONS 0
+
+/**
+ * A connected component of the graph of boxes that intersect (Definition 5).
+ */
+#define HUG_CLUSTERING_COMPONENTS 1
+
+/**
  * The middle of the level's interval of lengths.
  */
 #define HUG_DELTA_MIDPOINT 0
@@ -1147,6 +1305,31 @@ typedef struct {
  * uint32_t, three a triangle, packed.
  */
 #define HUG_INDEX_U32 2
+
+/**
+ * There are too few triangles for the choice to matter.
+ */
+#define HUG_REASON_FEW 0
+
+/**
+ * Lengths are alike and the triangles lie evenly: one grid divides them.
+ */
+#define HUG_REASON_EVEN 1
+
+/**
+ * Lengths are alike, so that a filter parts nothing, but the triangles lie unevenly.
+ */
+#define HUG_REASON_ALIKE 2
+
+/**
+ * Most triangles are small, but they lie all over the scene.
+ */
+#define HUG_REASON_SCATTERED 3
+
+/**
+ * Most triangles are small, and stand together in a part of the scene.
+ */
+#define HUG_REASON_CLUSTERED 4
 
 #ifdef __cplusplus
 extern "C" {
@@ -1689,6 +1872,37 @@ void hug_occluded_n_filtered(const hug_scene *scene,
  * Each pointer is valid or NULL.
  */
 int32_t hug_closest_point(const hug_scene *scene, const hug_probe *probe, hug_nearest *nearest);
+
+/**
+ * Says before a build whether the triangles of a descriptor are prone to clustering
+ * (section 7.1), and what to build of them. The descriptor's options change nothing, but
+ * must be in range. Two passes over the triangles, no allocation, some 8 kB of stack; any
+ * number of threads may call it. After an error nothing was written.
+ *
+ * # Safety
+ * desc and what it points to must be readable or NULL, advice writable or NULL.
+ */
+hug_status hug_advise(const hug_build_desc *desc, hug_advice *advice);
+
+/**
+ * A short English sentence for a reason, without a full stop; never NULL.
+ */
+const char *hug_reason_string(hug_reason reason);
+
+/**
+ * Counts what the filter of a descriptor and each clustering make of its triangles: how
+ * many boxes intersect in the plane and in space (section 7.4), and the sum of %vol that
+ * a HUG would have. scratch is as for hug_build_into with HUG_STRUCTURE_HUG (hug_measure),
+ * aligned to 16. Cost: O(n log^3 n) at most, with no allocation. After an error nothing
+ * was written to *out.
+ *
+ * # Safety
+ * desc and what it points to must be readable or NULL, scratch and out writable or NULL.
+ */
+hug_status hug_survey(const hug_build_desc *desc,
+                      void *scratch,
+                      size_t scratch_bytes,
+                      hug_clusterings *out);
 
 #ifdef __cplusplus
 }  // extern "C"

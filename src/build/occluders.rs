@@ -141,6 +141,7 @@ fn in_the_way(triangle: &Triangle, from: DVec3, way: DVec3) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::vec::Vec;
 
     /// Small triangles on a lattice, and a wall of two across the middle if asked for.
     fn room(wall: bool) -> (Vec<Triangle>, Aabb) {
