@@ -32,8 +32,10 @@ fn adversarial(n: usize) -> Vec<(&'static str, Mesh)> {
                 "weave" => {
                     let k = random.below(3);
                     let mut rod = [a.map(|x| (x * 4e3).floor()); 3];
-                    rod[1][k] += 1e4;
-                    rod[2][k] += 1e4;
+                    // Of different lengths, so that a filter of share 1 takes all but one.
+                    let length = 1e4 + 100.0 * b[0];
+                    rod[1][k] += length;
+                    rod[2][k] += length;
                     rod[2][(k + 1) % 3] += 0.25;
                     for corner in &mut rod {
                         corner[k] -= 5e3;
