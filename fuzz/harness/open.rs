@@ -44,7 +44,7 @@ fn query(view: &View<'_>, input: &mut Input<'_>) {
         assert!(!view.occluded_filtered(ray, |_| false), "{ray:?}");
         let _ = view.closest_point(&Probe::new(ray.org, hit.t));
     }
-    view.intersect_n_filtered(&rays, &mut hits, |i, hit| (i + hit.prim as usize) % 2 == 0);
+    view.intersect_n_filtered(&rays, &mut hits, |i, hit| (i + hit.prim as usize).is_multiple_of(2));
     view.intersect_n_counted(&rays, &mut hits, &mut Counters::default());
     view.occluded_n_profiled(&rays, &mut shadows, &mut profile);
     for _ in 0..=input.below(4) {

@@ -35,7 +35,7 @@ fn check_all(view: &View<'_>, soup: &Soup, ray: &Ray, room: usize) {
     for (hit, other) in all.iter().zip(&expected) {
         assert_eq!(bits(hit), bits(other), "{ray:?}");
     }
-    let accepts = |hit: &Hit| (hit.prim as usize + room) % 3 == 0;
+    let accepts = |hit: &Hit| (hit.prim as usize + room).is_multiple_of(3);
     let first = expected.iter().copied().find(accepts).unwrap_or(Hit::miss(ray.tmax));
     assert_eq!(bits(&view.intersect_filtered(ray, accepts)), bits(&first), "{ray:?}");
     assert_eq!(view.occluded_filtered(ray, accepts), first.is_hit(), "{ray:?}");

@@ -30,6 +30,7 @@ mod reach;
 mod recursive;
 mod rows;
 mod scratch;
+mod stretch;
 mod uniform;
 
 pub use capacity::Sizes;

@@ -96,6 +96,7 @@ pub fn write(
     let input = &Input { draft, triangles };
     let mut free = Free { voxels, refs, first: 0 };
     let mut grids = draft.grids();
+    let mut written = 0;
     while let Some((first, rest)) = grids.split_first() {
         if first.voxels() < LARGE {
             grids = runs(input, grids, table, &mut free, control)?;
@@ -103,6 +104,8 @@ pub fn write(
             slabs(input, first, table, &mut free, control)?;
             grids = rest;
         }
+        let words = (total - free.voxels.len()) + free.first as usize;
+        control.count(words - core::mem::replace(&mut written, words));
         control.at(total - free.voxels.len(), total)?;
     }
     Ok(())
@@ -222,7 +225,7 @@ fn slabs(
             }
             slab.output.write(input, grid, slab.first, slab.spans);
         })?;
-        control.tick(grid.voxels() as usize, total - slabs.len(), total)?;
+        control.at(total - slabs.len(), total)?;
     }
     Ok(())
 }
