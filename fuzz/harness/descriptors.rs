@@ -184,12 +184,6 @@ pub fn descriptors(data: &[u8]) {
     }
     desc.user = (&raw mut ledger).cast();
     desc.progress_user = (&raw mut left).cast();
-    // SAFETY: the descriptor keeps to the rule.
-    unsafe {
-        let (mut geom, mut prim) = (0, 0);
-        let status = hug_find_fault(&desc, &mut geom, &mut prim);
-        assert_ne!(status, HUG_ERROR_INTERNAL);
-    }
     // Of a later version: fields behind the known ones.
     let mut long = [0usize; 80];
     if input.rarely(16) {
@@ -198,6 +192,12 @@ pub fn descriptors(data: &[u8]) {
     let place: *mut hug_build_desc = long.as_mut_ptr().cast();
     // SAFETY: large enough, and aligned.
     unsafe { place.write(desc) };
+    // SAFETY: the descriptor keeps to the rule.
+    unsafe {
+        let (mut geom, mut prim) = (0, 0);
+        let status = hug_find_fault(place, &mut geom, &mut prim);
+        assert_ne!(status, HUG_ERROR_INTERNAL);
+    }
     build_into(place, &mut input);
     let at = if input.rarely(32) { place.wrapping_byte_add(1) } else { place };
     let mut scene = null_mut();
