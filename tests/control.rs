@@ -18,9 +18,11 @@ impl Threads for Some {
     fn run(&self, tasks: &mut [Task<'_>]) {
         let share = tasks.len().div_ceil(self.0);
         std::thread::scope(|scope| {
-            for tasks in tasks.chunks_mut(share) {
-                scope.spawn(|| tasks.iter_mut().for_each(Task::run));
-            }
+            let run = |tasks: &mut [Task<'_>]| tasks.iter_mut().for_each(Task::run);
+            let threads = tasks.chunks_mut(share).map(|tasks| scope.spawn(move || run(tasks)));
+            // Joined one by one, which ThreadSanitizer sees; not so the end of a scope.
+            let threads: Vec<_> = threads.collect();
+            threads.into_iter().for_each(|thread| thread.join().expect("no task panics"));
         });
     }
 }

@@ -2,6 +2,7 @@
 //! checked: memory is as long as the counts say, unless they are refused unread.
 
 use super::block::Block;
+use super::calls::{pointer, query};
 use super::input::Input;
 use hug::capi::types::*;
 use hug::capi::*;
@@ -51,15 +52,6 @@ unsafe extern "C" fn backwards(_: *mut c_void, tasks: usize, task: hug_task_fn, 
     for i in (0..tasks).rev() {
         // SAFETY: called as documented.
         unsafe { task.expect("a task")(on, i) };
-    }
-}
-
-/// A pointer that is mostly good: else NULL, or off its alignment.
-fn pointer<T>(input: &mut Input<'_>, good: *const T) -> *const T {
-    match input.below(32) {
-        30 => null(),
-        31 => good.wrapping_byte_add(1 + input.below(3)),
-        _ => good,
     }
 }
 
@@ -142,54 +134,8 @@ fn fill(desc: &mut hug_build_desc, input: &mut Input<'_>, thresholds: &[f32; 15]
     if wants(24) {
         desc.gridding = input.below(5) as u32;
     }
-}
-
-/// Every function that takes a scene, with rays of any bits at any address.
-fn query(scene: *const hug_scene, input: &mut Input<'_>) {
-    let mut bytes = [0u8; 24 * 48 + 3];
-    for byte in &mut bytes {
-        *byte = input.byte();
-    }
-    let shift = input.below(4);
-    let rays: *const hug_ray = bytes[shift..].as_ptr().cast();
-    let mut hits = [0u8; 24 * 48 + 3];
-    let out: *mut hug_hit = hits[shift..].as_mut_ptr().cast();
-    let mut shadows = [2u8; 24];
-    let scene = if input.rarely(16) { null() } else { scene };
-    let (ray_stride, hit_stride) = (input.one_of(&[0, 48]), input.one_of(&[0, 40, 48]));
-    let (mut lower, mut upper) = ([0f32; 3], [0f32; 3]);
-    // SAFETY: all of it is readable and writable, or NULL.
-    unsafe {
-        let mut counters: hug_counters = std::mem::zeroed();
-        hug_intersect_counted(scene, rays, out, &mut counters);
-        hug_intersect_n(scene, rays, ray_stride, out, hit_stride, 24);
-        hug_occluded_n(scene, rays, ray_stride, shadows.as_mut_ptr(), 24);
-        for i in 0..3 {
-            let ray = pointer(input, rays.byte_add(48 * i));
-            let hit = pointer(input, out.cast_const());
-            let found = hug_intersect(scene, ray, hit.cast_mut());
-            let any = hug_occluded(scene, ray);
-            let within = hug_occluded_within(scene, ray, input.long());
-            assert!(within == any || within == HUG_TRUNCATED);
-            assert_eq!(found, if hit.is_null() { 0 } else { any });
-        }
-        let mut stats: hug_scene_stats = std::mem::zeroed();
-        stats.struct_size = if input.rarely(4) { input.below(512) } else { size_of_val(&stats) };
-        assert_ne!(hug_stats(scene, &mut stats), HUG_ERROR_INTERNAL);
-        let mut counts = [0u64; 8];
-        let mut histogram: hug_voxel_histogram = std::mem::zeroed();
-        histogram.struct_size = size_of_val(&histogram);
-        (histogram.level, histogram.capacity) = (input.below(18) as u32, 8);
-        histogram.counts = counts.as_mut_ptr();
-        assert_ne!(hug_histogram(scene, &mut histogram), HUG_ERROR_INTERNAL);
-        hug_bounds(scene, lower.as_mut_ptr(), upper.as_mut_ptr());
-        let mut len = 0;
-        let data = hug_data(scene, &mut len);
-        assert_eq!(data.is_null(), scene.is_null());
-        let mut again = null();
-        if !data.is_null() {
-            assert_eq!(hug_open(data, len, 0, &mut again), HUG_OK);
-        }
+    if wants(26) {
+        (desc.orientation, desc.turn_below) = (input.below(5) as u32, input.float());
     }
 }
 
@@ -278,6 +224,12 @@ pub fn descriptors(data: &[u8]) {
     let place: *mut hug_build_desc = long.as_mut_ptr().cast();
     // SAFETY: large enough, and aligned.
     unsafe { place.write(desc) };
+    // SAFETY: the descriptor keeps to the rule.
+    unsafe {
+        let (mut geom, mut prim) = (0, 0);
+        let status = hug_find_fault(place, &mut geom, &mut prim);
+        assert_ne!(status, HUG_ERROR_INTERNAL);
+    }
     build_into(place, &mut input);
     let at = if input.rarely(32) { place.wrapping_byte_add(1) } else { place };
     let mut scene = null_mut();

@@ -3,6 +3,7 @@
 
 mod arena;
 mod block;
+mod calls;
 mod descriptors;
 mod input;
 mod open;

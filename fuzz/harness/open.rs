@@ -3,7 +3,8 @@
 use super::arena::{damage, sample};
 use super::block::Block;
 use super::input::Input;
-use hug::{Counters, Hit, Isa, Lengths, Occupancy, Profile, Ray, Stats, View, force_isa};
+use super::soup::probe;
+use hug::{Counters, Hit, Isa, Lengths, Occupancy, Probe, Profile, Ray, Stats, View, force_isa};
 
 fn query(view: &View<'_>, input: &mut Input<'_>) {
     let mut rays = vec![
@@ -33,6 +34,22 @@ fn query(view: &View<'_>, input: &mut Input<'_>) {
         assert!(steps <= most, "{ray:?}: {steps} steps, {most} should suffice");
         assert!(view.occluded_within(ray, most).is_ok(), "{ray:?}");
         let _ = view.intersect_profiled(ray, &mut profile);
+        let mut before = ray.tmin;
+        for hit in view.hits(ray) {
+            assert!(before <= hit.t && hit.t <= ray.tmax, "{ray:?} hit {hit:?} after {before}");
+            before = hit.t;
+        }
+        let mut few = [Hit::miss(0.0); 3];
+        let _ = view.intersect_all(ray, Some(&hit), &mut few);
+        assert!(!view.occluded_filtered(ray, |_| false), "{ray:?}");
+        let _ = view.closest_point(&Probe::new(ray.org, hit.t));
+    }
+    view.intersect_n_filtered(&rays, &mut hits, |i, hit| (i + hit.prim as usize).is_multiple_of(2));
+    view.intersect_n_counted(&rays, &mut hits, &mut Counters::default());
+    view.occluded_n_profiled(&rays, &mut shadows, &mut profile);
+    for _ in 0..=input.below(4) {
+        let near = probe(input);
+        let _ = (view.closest_point(&near), view.closest_point_brute(&near));
     }
     let stats = Stats::of(view);
     let mut counts = [0; 8];

@@ -2,8 +2,8 @@
 
 use super::input::Input;
 use hug::{
-    Clustering, Delta, Filter, Geometry, Gridding, Hierarchy, NONE, Options, Quality, Ray,
-    Structure,
+    Clustering, Delta, Filter, Geometry, Gridding, Hierarchy, Hit, NONE, Options, Orientation,
+    Probe, Quality, Ray, Structure, intersect_triangle,
 };
 
 /// Few enough triangles for brute force.
@@ -48,6 +48,27 @@ impl Soup {
     pub fn geometries(&self) -> [Geometry<'_>; 2] {
         [0, 1]
             .map(|i| Geometry::from_mesh(&self.vertices, &self.indices[i]).with_mask(self.masks[i]))
+    }
+
+    /// What a ray hits, in order: each triangle on its own.
+    pub fn all_hits(&self, ray: &Ray) -> Vec<Hit> {
+        let mut hits = Vec::new();
+        for (geom, (indices, mask)) in (0..).zip(self.indices.iter().zip(self.masks)) {
+            for (prim, corners) in (0..).zip(indices) {
+                if mask & ray.mask == 0 || (ray.skip_geom, ray.skip_prim) == (geom, prim) {
+                    continue;
+                }
+                let any = Ray { mask: u32::MAX, skip_geom: NONE, skip_prim: NONE, ..*ray };
+                let corners = corners.map(|vertex| self.vertices[vertex as usize]);
+                let hit = intersect_triangle(&any, &corners);
+                if hit.is_hit() {
+                    hits.push(Hit { geom, prim, ..hit });
+                }
+            }
+        }
+        let place = |hit: &Hit| (hit.t, hit.geom, hit.prim);
+        hits.sort_by(|a, b| place(a).partial_cmp(&place(b)).expect("no NaN"));
+        hits
     }
 
     /// Through a vertex, an edge, or the inside of a triangle, or anywhere.
@@ -105,7 +126,30 @@ pub fn later(input: &mut Input<'_>, options: Options) -> Options {
         power => f32::from(power) / 64.0,
     };
     let clustering = input.one_of(&[Clustering::Projections, Clustering::Components]);
-    Options { gridding, overlap_power, clustering, ..options }
+    let orientation = match input.below(4) {
+        1 => Orientation::Vertices,
+        2 => Orientation::Hull,
+        3 => Orientation::Search,
+        _ => Orientation::Aligned,
+    };
+    let turn_below = input.one_of(&[options.turn_below, 1e6, 1.0]);
+    Options { gridding, overlap_power, clustering, orientation, turn_below, ..options }
+}
+
+/// Balls anywhere, of any size.
+pub fn probe(input: &mut Input<'_>) -> Probe {
+    let mut probe = Probe::new(input.point(), f32::INFINITY);
+    let kind = input.byte();
+    if kind & 1 != 0 {
+        probe.radius = input.float();
+    }
+    if kind & 6 == 6 {
+        (probe.skip_geom, probe.skip_prim) = (input.below(3) as u32, input.below(64) as u32);
+    }
+    if kind & 24 == 24 {
+        probe.mask = input.bits();
+    }
+    probe
 }
 
 /// Options in their ranges, of a structure.

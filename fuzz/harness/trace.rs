@@ -3,8 +3,9 @@
 
 use super::block::Block;
 use super::input::Input;
-use super::soup::{Soup, later, options};
-use hug::{Counters, Error, Hit, Isa, Ray, Scene, Structure, Truncated, View, force_isa};
+use super::soup::{Soup, later, options, probe};
+use hug::force_isa;
+use hug::{Counters, Error, Hit, Isa, Nearest, Probe, Ray, Scene, Structure, Truncated, View};
 
 const STRUCTURES: [Structure; 4] =
     [Structure::Auto, Structure::Uniform, Structure::Recursive, Structure::Hug];
@@ -12,6 +13,37 @@ const STRUCTURES: [Structure; 4] =
 fn bits(hit: &Hit) -> [u32; 10] {
     // SAFETY: ten fields of four bytes each.
     unsafe { std::mem::transmute(*hit) }
+}
+
+fn near(nearest: &Nearest) -> [u32; 10] {
+    // SAFETY: as above.
+    unsafe { std::mem::transmute(*nearest) }
+}
+
+/// All hits, in room for some of them, and the first that a filter accepts.
+fn check_all(view: &View<'_>, soup: &Soup, ray: &Ray, room: usize) {
+    let expected = soup.all_hits(ray);
+    let mut hits = vec![Hit::miss(0.0); room];
+    let found = view.intersect_all(ray, None, &mut hits);
+    assert_eq!(found.count, room.min(expected.len()), "{ray:?}");
+    assert_eq!(found.more, room < expected.len(), "{ray:?}");
+    for (hit, other) in hits[..found.count].iter().zip(&expected) {
+        assert_eq!(bits(hit), bits(other), "{ray:?}");
+    }
+    let all: Vec<Hit> = view.hits(ray).collect();
+    assert_eq!(all.len(), expected.len(), "{ray:?}");
+    for (hit, other) in all.iter().zip(&expected) {
+        assert_eq!(bits(hit), bits(other), "{ray:?}");
+    }
+    let accepts = |hit: &Hit| (hit.prim as usize + room).is_multiple_of(3);
+    let first = expected.iter().copied().find(accepts).unwrap_or(Hit::miss(ray.tmax));
+    assert_eq!(bits(&view.intersect_filtered(ray, accepts)), bits(&first), "{ray:?}");
+    assert_eq!(view.occluded_filtered(ray, accepts), first.is_hit(), "{ray:?}");
+}
+
+fn check_near(view: &View<'_>, probe: &Probe) {
+    let expected = near(&view.closest_point_brute(probe));
+    assert_eq!(near(&view.closest_point(probe)), expected, "{probe:?}");
 }
 
 fn check(view: &View<'_>, rays: &[Ray]) {
@@ -46,7 +78,12 @@ pub fn trace(data: &[u8]) {
     let soup = Soup::read(&mut input);
     let structure = input.one_of(&STRUCTURES);
     let options = options(&mut input, structure);
-    let rays: Vec<Ray> = (0..input.below(24)).map(|_| soup.ray(&mut input)).collect();
+    let mut rays: Vec<Ray> = (0..input.below(24)).map(|_| soup.ray(&mut input)).collect();
+    let probes: Vec<Probe> = (0..input.below(8)).map(|_| probe(&mut input)).collect();
+    let room = input.below(8);
+    if input.rarely(3) {
+        rays.iter_mut().for_each(|ray| ray.flags = input.below(4) as u32);
+    }
     let options = later(&mut input, options);
     let scene = match Scene::build(&soup.geometries(), &options) {
         Ok(scene) => scene,
@@ -57,4 +94,6 @@ pub fn trace(data: &[u8]) {
     let copy = Block::copy(scene.view().bytes());
     let view = View::open(copy.bytes()).expect("what was built opens");
     check(&view, &rays);
+    rays.iter().for_each(|ray| check_all(&view, &soup, ray, room));
+    probes.iter().for_each(|probe| check_near(&view, probe));
 }

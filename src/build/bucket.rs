@@ -52,6 +52,7 @@ impl<'a> Buckets<'a> {
             let near = Near::new(&grid);
             let spans = self.spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
             spans.fill(Span { start: NONE, count: 0 });
+            control.count(spans.len());
             let stream = &mut *self.stream;
             let (mut end, mut rows, mut seen) = (0, 0, 0);
             for &object in objects {
@@ -65,7 +66,7 @@ impl<'a> Buckets<'a> {
                     }
                     end += 1;
                 };
-                rows += if object & GRID_BIT == 0 {
+                let looked_at = if object & GRID_BIT == 0 {
                     voxels(triangle(object).borrow(), &grid, near.as_ref(), visit)
                 } else {
                     let [lo, hi] = place(self.grids, self.turns, (object & !GRID_BIT) as usize);
@@ -74,6 +75,7 @@ impl<'a> Buckets<'a> {
                         range.rows()
                     })
                 };
+                rows += looked_at;
                 if let Some(start) = starts.get_mut(seen) {
                     *start = head as u32;
                 }
@@ -81,7 +83,7 @@ impl<'a> Buckets<'a> {
                     *entry = (end - head - 1) as u32;
                 }
                 seen += 1;
-                control.tick(end - head, seen, objects.len())?;
+                control.tick(end - head + looked_at, seen, objects.len())?;
                 if end > budget + seen || rows > work {
                     break;
                 }

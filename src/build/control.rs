@@ -62,8 +62,9 @@ pub struct Control<'a> {
     /// The range of fractions that the pass at hand stands for.
     pass: [f64; 2],
     last: f64,
-    /// Work since the last report.
+    /// Work since the last report, and in all.
     work: usize,
+    all_work: u64,
 }
 
 impl<'a> Control<'a> {
@@ -83,9 +84,24 @@ impl<'a> Control<'a> {
         self
     }
 
+    /// What the build has done so far, or had done when it ended, in units that take a
+    /// bounded number of operations each: a triangle gathered, a row of voxels that one
+    /// was tested in, a reference or voxel written, a triangle of a part that was sorted
+    /// (times the logarithm of their number), a candidate for a parent looked at.
+    /// docs/promises.md bounds it. It depends on triangles and options alone.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.all_work
+    }
+
     /// Begins a build.
     pub(super) fn begin(&mut self) {
-        (self.pass, self.last, self.work) = ([0.0; 2], 0.0, 0);
+        (self.pass, self.last, self.work, self.all_work) = ([0.0; 2], 0.0, 0, 0);
+    }
+
+    /// Counts work that needs no report of its own.
+    pub(super) fn count(&mut self, work: usize) {
+        self.all_work += work as u64;
     }
 
     /// Begins a pass that ends where this share of the whole build is done.
@@ -110,6 +126,7 @@ impl<'a> Control<'a> {
     /// The same, but only now and then: after `work` more triangles or voxels.
     #[inline]
     pub(super) fn tick(&mut self, work: usize, done: usize, of: usize) -> Result<(), Error> {
+        self.count(work);
         if self.progress.is_none() {
             return Ok(());
         }

@@ -14,6 +14,7 @@ use glam::{Vec3A, Vec4, Vec4Swizzles};
 
 use super::frame::Grid;
 use super::overlap::{PAD, Range};
+use super::stretch::{LONG, stretch};
 use crate::arena::layout::Triangle;
 
 /// Growth of a voxel on each side, in voxels.
@@ -134,6 +135,15 @@ impl Edges {
         (self.a * i + self.b * j).cmple(self.c).all()
     }
 
+    /// [`Edges::pass`] in two parts: the edges that let through all from some place on
+    /// along the first axis, and the others.
+    #[inline(always)]
+    fn parts(&self, i: f32, j: f32) -> [bool; 2] {
+        let pass = (self.a * i + self.b * j).cmple(self.c);
+        let falls = self.a.cmplt(Vec4::ZERO);
+        [(pass | !falls).all(), (pass | falls).all()]
+    }
+
     /// Which of the voxels (0, j) to (count - 1, j) pass, for each j, as bits; those
     /// beyond mean nothing.
     #[inline(always)]
@@ -193,8 +203,15 @@ impl Small {
         let edges = self.edges((i, j));
         let strides = [1, grid.n[0] as usize, grid.n[0] as usize * grid.n[1] as usize];
         let first: usize = (0..3).map(|k| range.lo[k] as usize * strides[k]).sum();
+        let last = range.hi[i] - range.lo[i];
         for b in 0..=range.hi[j] - range.lo[j] {
-            for a in 0..=range.hi[i] - range.lo[i] {
+            if last > LONG {
+                let [from, end] = stretch(0, last, |a| edges.parts(a as f32, b as f32));
+                let row = first + b as usize * strides[j];
+                (from..end).for_each(|a| visit(row + a as usize * strides[i]));
+                continue;
+            }
+            for a in 0..=last {
                 if edges.pass(a as f32, b as f32) {
                     visit(first + a as usize * strides[i] + b as usize * strides[j]);
                 }
@@ -262,6 +279,18 @@ impl Small {
                     let (a, b) = ((-half - plane) / normal.x, (half - plane) / normal.x);
                     first = first.max((a.min(b) - 1.0).max(0.0) as u32);
                     last = last.min((a.max(b) + 1.0).max(0.0) as u32);
+                }
+                if first <= last && last - first > LONG {
+                    let [first, end] = stretch(first, last, |x| {
+                        let x = x as f32;
+                        let distance = normal.x * x + plane;
+                        let (above, below) = (distance >= -half, distance <= half);
+                        let near = if normal.x < 0.0 { [below, above] } else { [above, below] };
+                        let (a, b) = (xz.parts(x, fz), xy.parts(x, fy));
+                        [0, 1].map(|side| near[side] && a[side] && b[side])
+                    });
+                    (first..end).for_each(|x| visit(row + x as usize));
+                    continue;
                 }
                 for x in first..=last {
                     let fx = x as f32;

@@ -86,6 +86,7 @@ impl<'s> Soup<'s> {
                 all.dropped_degenerate += part.dropped_degenerate;
             }
             looked_at += seen;
+            control.count(seen);
             control.at(looked_at, capacity)?;
         }
         Ok(Self {

@@ -17,6 +17,10 @@ use crate::options::{Hierarchy, MAX_LEVELS, Options};
 
 /// No parent yet.
 const NONE: u32 = u32::MAX;
+/// Candidates for parents that are looked at, for each grid that there is; when they are
+/// used up, the world serves. Scenes take a few; only where thousands of clusters of
+/// each of several levels crowd together would it be one for each pair.
+const LOOKS: usize = 1024;
 
 /// Links every grid but the world to its parents: fills `links` with pairs
 /// `[parent, child]` and returns how many, sorted. `objects` and `parent` are
@@ -30,6 +34,7 @@ pub fn link(
     control: &mut Control<'_>,
 ) -> Result<usize, Error> {
     let total = draft.grids().len();
+    let mut looks = total.saturating_mul(LOOKS);
     let mut above: [Range<usize>; MAX_LEVELS] = core::array::from_fn(|_| 0..0);
     let (mut groups, mut count, mut first) = (0, 0, 1);
     while first < total {
@@ -40,15 +45,20 @@ pub fn link(
         for upper in above[..groups].iter().rev() {
             let index = Index::new(draft, upper.clone(), objects, control)?;
             for child in group.clone() {
-                control.tick(1, child, total)?;
+                if looks == 0 {
+                    break;
+                }
+                let before = looks;
                 if rule == Hierarchy::Paper {
                     // Where the memory for links runs out, the world serves:
                     // one link is kept back for each grid still to come.
                     let room = links.len().saturating_sub(total - child);
-                    count = index.under_all(draft, child, links, count, room, &mut parent[child]);
+                    let cover = &mut parent[child];
+                    count = index.under_all(draft, child, (links, count, room), cover, &mut looks);
                 } else if parent[child] == NONE {
-                    parent[child] = index.smallest_around(draft, child);
+                    parent[child] = index.smallest_around(draft, child, &mut looks);
                 }
+                control.tick(1 + before - looks, child, total)?;
             }
             index.drop(draft);
         }
@@ -89,6 +99,13 @@ fn volume(grid: &Grid) -> f64 {
     grid.extent.iter().product()
 }
 
+/// Takes `wanted` from what is left, or all of that; returns how much.
+fn spend(left: &mut usize, wanted: usize) -> usize {
+    let spent = wanted.min(*left);
+    *left -= spent;
+    spent
+}
+
 /// A uniform grid over the grids of one level.
 struct Index {
     grid: Grid,
@@ -120,7 +137,8 @@ impl Index {
     }
 
     /// The indexed grid of least volume that contains grid `child`.
-    fn smallest_around(&self, draft: &Draft<'_>, child: usize) -> u32 {
+    /// Takes from `looks` what it looks at, and ends when there are none left.
+    fn smallest_around(&self, draft: &Draft<'_>, child: usize, looks: &mut usize) -> u32 {
         let inner = draft.grids()[child];
         let middle = core::array::from_fn(|k| inner.lo[k] + 0.5 * inner.extent[k]);
         let mut best = NONE;
@@ -128,7 +146,8 @@ impl Index {
             return best;
         };
         range.each(&self.grid, |voxel| {
-            for &object in draft.list(draft.spans(&self.grid)[voxel]) {
+            let list = draft.list(draft.spans(&self.grid)[voxel]);
+            for &object in &list[..spend(looks, list.len())] {
                 let number = object & !GRID_BIT;
                 let outer = &draft.grids()[number as usize];
                 let smaller = best == NONE
@@ -145,22 +164,27 @@ impl Index {
     }
 
     /// Links `child` to every indexed grid that it intersects, up to `room`
-    /// links in all; `cover` becomes one that contains it.
+    /// links in all; `cover` becomes one that contains it. `looks` as above, voxels
+    /// included.
     fn under_all(
         &self,
         draft: &Draft<'_>,
         child: usize,
-        links: &mut [[u32; 2]],
-        mut count: usize,
-        room: usize,
+        (links, mut count, room): (&mut [[u32; 2]], usize, usize),
         cover: &mut u32,
+        looks: &mut usize,
     ) -> usize {
         let inner = draft.grids()[child];
         let Some(range) = reach(&self.grid, &inner) else {
             return count;
         };
+        let voxels = range.voxels();
+        if spend(looks, voxels) < voxels {
+            return count;
+        }
         range.each(&self.grid, |voxel| {
-            for &object in draft.list(draft.spans(&self.grid)[voxel]) {
+            let list = draft.list(draft.spans(&self.grid)[voxel]);
+            for &object in &list[..spend(looks, list.len())] {
                 let number = object & !GRID_BIT;
                 let outer = &draft.grids()[number as usize];
                 let Some(other) = reach(&self.grid, outer) else {

@@ -40,6 +40,7 @@ pub fn hug<'s>(
 
     control.pass(0.25)?;
     let bounds = level_ranges(&levels, boxes, home, order);
+    control.count(count);
     draft.push(Grid::around(&draft.soup.bounds, u32::from(world), &draft.soup.bounds))?;
     ranges[0] = Zeroable::zeroed();
     for level in (0..usize::from(world)).rev() {
@@ -138,6 +139,7 @@ fn clusters(
             components(&mut order[range], boxes, room, control, found)?;
         }
     }
+    control.count(home.len());
     // Whatever is in no grid of the level goes to the world.
     for home in home.iter_mut().filter(|home| usize::from(**home) == level) {
         *home = world;

@@ -34,6 +34,7 @@ mod reach;
 mod recursive;
 mod rows;
 mod scratch;
+mod stretch;
 mod survey;
 mod turn;
 mod uniform;

@@ -10,6 +10,7 @@
 
 use super::footprint::{Near, Shape};
 use super::frame::Grid;
+use super::stretch::{LONG, stretch};
 use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
 
@@ -55,6 +56,11 @@ impl Range {
     pub fn rows(&self) -> usize {
         let side = |k: usize| (self.hi[k] - self.lo[k]) as usize + 1;
         side(1) * side(2)
+    }
+
+    /// Number of voxels.
+    pub fn voxels(&self) -> usize {
+        self.rows() * ((self.hi[0] - self.lo[0]) as usize + 1)
     }
 
     /// Where the box lies in a single layer of voxels, the projection onto that tells all
@@ -113,6 +119,27 @@ impl Edges {
         let (i, j) = (f64::from(i), f64::from(j));
         self.0.iter().all(|[a, b, c]| a * i + b * j <= *c)
     }
+
+    /// [`Edges::pass`] in two parts: the edges that let through all from some place on
+    /// along axis `along` of the plane, and the others.
+    #[inline(always)]
+    fn parts(&self, i: u32, j: u32, along: usize) -> [bool; 2] {
+        let (i, j) = (f64::from(i), f64::from(j));
+        let mut parts = [true; 2];
+        for [a, b, c] in &self.0 {
+            let falls = [a, b][along] < &0.0;
+            parts[usize::from(!falls)] &= a * i + b * j <= *c;
+        }
+        parts
+    }
+}
+
+/// Whether `rise * x + from` is within `half` of 0, in two parts as [`Edges::parts`].
+#[inline(always)]
+fn near(rise: f64, x: u32, from: f64, half: f64) -> [bool; 2] {
+    let distance = rise * f64::from(x) + from;
+    let (above, below) = (distance >= -half, distance <= half);
+    if rise < 0.0 { [below, above] } else { [above, below] }
 }
 
 /// Calls `visit` with each voxel that `triangle` meets; returns how many rows of
@@ -167,6 +194,15 @@ fn far_voxels(triangle: &Triangle, grid: &Grid, visit: &mut impl FnMut(usize)) -
                 let (a, b) = ((-half - plane) / normal[0], (half - plane) / normal[0]);
                 first = first.max((a.min(b) - 1.0).max(0.0) as u32);
                 last = last.min((a.max(b) + 1.0).max(0.0) as u32);
+            }
+            if first <= last && last - first > LONG {
+                let [first, end] = stretch(first, last, |x| {
+                    let near = near(normal[0], x, plane, half);
+                    let (a, b) = (edges[1].parts(z, x, 1), edges[2].parts(x, y, 0));
+                    [0, 1].map(|side| near[side] && a[side] && b[side])
+                });
+                (first..end).for_each(|x| visit(row + x as usize));
+                continue;
             }
             for x in first..=last {
                 let distance = normal[0] * f64::from(x) + plane;

@@ -96,7 +96,7 @@ pub fn write(
     let total = voxels.len();
     let input = &Input { draft, triangles };
     let mut free = Free { voxels, refs, first: 0 };
-    let mut number = 0;
+    let (mut number, mut written) = (0, 0);
     while let Some(grid) = draft.grids().get(number) {
         if grid.voxels() < LARGE {
             number = runs(input, number, table, &mut free, control)?;
@@ -104,6 +104,8 @@ pub fn write(
             slabs(input, number, table, &mut free, control)?;
             number += 1;
         }
+        let words = (total - free.voxels.len()) + free.first as usize;
+        control.count(words - core::mem::replace(&mut written, words));
         control.at(total - free.voxels.len(), total)?;
     }
     Ok(())
@@ -226,7 +228,7 @@ fn slabs(
             }
             slab.output.write(input, number, slab.first, slab.spans);
         })?;
-        control.tick(grid.voxels() as usize, total - slabs.len(), total)?;
+        control.at(total - slabs.len(), total)?;
     }
     Ok(())
 }
