@@ -36,7 +36,7 @@ pub fn cluster(
     delta: f64,
     parts: &mut [Part],
     control: &mut Control<'_>,
-    mut found: impl FnMut(&[u32], core::ops::Range<usize>),
+    found: &mut dyn FnMut(&[u32], core::ops::Range<usize>),
 ) -> Result<(), Error> {
     if order.is_empty() {
         return Ok(());

@@ -33,7 +33,7 @@ pub fn components(
     boxes: &[Aabb],
     room: &mut [u32],
     control: &mut Control<'_>,
-    mut found: impl FnMut(&[u32], core::ops::Range<usize>),
+    found: &mut dyn FnMut(&[u32], core::ops::Range<usize>),
 ) -> Result<(), Error> {
     let mut rest = room;
     let parent = cut(&mut rest, boxes.len());

@@ -124,7 +124,7 @@ fn clusters(
     let start = range.start;
     let mut number = draft.grids().len();
     let first = number;
-    let found = |_: &[u32], found: core::ops::Range<usize>| {
+    let mut found = |_: &[u32], found: core::ops::Range<usize>| {
         if found.len() >= options.min_cluster as usize {
             ranges[number] = [(start + found.start) as u32, (start + found.end) as u32];
             number += 1;
@@ -132,11 +132,11 @@ fn clusters(
     };
     match options.clustering {
         Clustering::Projections => {
-            cluster(&mut order[range], boxes, delta, parts, control, found)?;
+            cluster(&mut order[range], boxes, delta, parts, control, &mut found)?;
         }
         Clustering::Components => {
             let room = bytemuck::cast_slice_mut(parts);
-            components(&mut order[range], boxes, room, control, found)?;
+            components(&mut order[range], boxes, room, control, &mut found)?;
         }
     }
     control.count(home.len());

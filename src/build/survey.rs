@@ -130,12 +130,18 @@ fn survey(
         // A cluster's range is final when it is found, the rest is still permuted.
         let delta =
             f64::from(options.connectivity) * length(&levels, level, members, boxes, options);
-        cluster(members, boxes, delta, parts, control, |members, found| {
+        cluster(members, boxes, delta, parts, control, &mut |members, found| {
             sum(&mut all.projections, members, found);
         })?;
-        components(members, boxes, bytemuck::cast_slice_mut(parts), control, |members, found| {
-            sum(&mut all.components, members, found);
-        })?;
+        components(
+            members,
+            boxes,
+            bytemuck::cast_slice_mut(parts),
+            control,
+            &mut |members, found| {
+                sum(&mut all.components, members, found);
+            },
+        )?;
     }
     Ok(all)
 }
