@@ -115,6 +115,19 @@ fn paths_by_hug_and_by_embree() {
     is_png(&out);
     is_png(&out.with_file_name("paths-embree.png"));
     assert!(number(&printed, " of 255") < 1.0, "{printed}");
+
+    // A closed room is black but for a lamp.
+    let room = ["lamp", "none"].map(|how| {
+        let out = fresh(&format!("room-{how}.png"));
+        let mut tracer = program("path_tracer");
+        tracer.args(["--scene", "kitchen", "--size", "64", "--samples", "1", "--out"]).arg(&out);
+        if how == "none" {
+            tracer.args(["--lamp", "none"]);
+        }
+        (run(&mut tracer), fs::read(&out).expect("a picture").len())
+    });
+    assert!(room[0].0.contains("a lamp at") && !room[1].0.contains("a lamp at"), "{room:?}");
+    assert!(room[0].1 > 5 * room[1].1, "{room:?}");
     let refused = program("path_tracer").args(["--kernel", "neither"]).output().expect("was built");
     assert_eq!(refused.status.code(), Some(2));
 }
