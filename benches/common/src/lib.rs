@@ -18,4 +18,5 @@ pub mod paper;
 pub mod ply;
 pub mod ray_sets;
 pub mod rounds;
+pub mod shade;
 pub mod table;
