@@ -1,10 +1,10 @@
 // What it teaches: hug in a renderer. A path tracer with diffuse and mirror surfaces,
-// coloured by primitive id, under a sun and a sky, or by a lamp. It follows batches of paths, so its
-// rays go to hug as streams (path_tracer/paths.cpp); a ray that leaves a surface names
-// the triangle it starts on, so there is no epsilon (hug::skipping). Asking Embree
-// instead is one class (path_tracer/kernel.cpp); --kernel both renders with each and says
-// what they took and how far the pictures are apart. The picture is written again each
-// time the number of samples has doubled.
+// coloured by primitive id, under a sun and a sky, or lit by a lamp. It follows batches of
+// paths, so its rays go to hug as streams (path_tracer/paths.cpp); a ray that leaves a
+// surface names the triangle it starts on, so there is no epsilon (hug::skipping). Asking
+// Embree instead is one class (path_tracer/kernel.cpp); --kernel both renders with each
+// and says what they took and how far the pictures are apart. The picture is written
+// again each time the number of samples has doubled.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
