@@ -38,22 +38,24 @@ pub enum Command {
     Report(hug_report::args::Args),
 }
 
+const BUILDING: &str = "Building";
+
 /// What to build.
 #[derive(clap::Args, Clone, Debug)]
-#[command(next_help_heading = "Building")]
 pub struct How {
     /// auto, uniform, recursive or hug; or a structure in the paper's notation: g28, r50,
     /// u.f3.sqrt2
-    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = structure)]
+    #[arg(long, help_heading = BUILDING, value_name = "NAME", default_value = "auto",
+          value_parser = structure)]
     pub structure: Named,
     /// How fine a structure auto builds
-    #[arg(long, value_enum, default_value_t = Fineness::Default)]
+    #[arg(long, help_heading = BUILDING, value_enum, default_value_t = Fineness::Default)]
     pub quality: Fineness,
     /// The smallest arena that is still sensible (auto)
-    #[arg(long)]
+    #[arg(long, help_heading = BUILDING)]
     pub compact: bool,
     /// Threads to build with; the bytes built are the same
-    #[arg(long, value_name = "N", default_value_t = 1,
+    #[arg(long, help_heading = BUILDING, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u32).range(1..=256))]
     pub threads: u32,
 }
