@@ -1,5 +1,5 @@
 # Installs hug as a C library, for those who have no cargo-c (with it:
-# cargo cinstall --release --features capi). Needs cargo, GNU make and binutils.
+# cargo cinstall --release). Needs cargo, GNU make and binutils.
 #
 #     make                          builds both libraries below target/install
 #     make install PREFIX=/usr      the default is /usr/local; DESTDIR for packagers

@@ -1,11 +1,10 @@
 //! How long builds take: every structure on the built-in scenes, and on the smaller files of the
 //! folder that `HUG_SCENES` names. `HUG_BENCH_SCENES` names other scenes, with commas.
 
-use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput};
-use hug_bench::cpu_time::CpuTime;
+use criterion::{BenchmarkId, SamplingMode, Throughput};
 use hug_bench::kind::Kind;
 use hug_bench::load::{self, Loaded};
-use hug_bench::{args, machine, named};
+use hug_bench::{args, cpu_time, named};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -20,14 +19,8 @@ fn scenes() -> Result<Vec<String>, String> {
 }
 
 fn run() -> Result<(), String> {
-    let mut criterion = Criterion::default()
-        .with_measurement(CpuTime)
-        .sample_size(10)
-        .nresamples(10_000)
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(2))
-        .configure_from_args();
-    println!("{}", machine::line());
+    let (warm_up, measurement) = (Duration::from_millis(300), Duration::from_millis(2000));
+    let mut criterion = cpu_time::criterion(10, warm_up, measurement);
     for name in scenes()? {
         let scene = Loaded::new(&name)?;
         let mut group = criterion.benchmark_group(format!("build/{}", scene.name));

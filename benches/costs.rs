@@ -2,13 +2,12 @@
 //! configuration, made again function by function. `HUG_BENCH_CONFIGS` names other configurations
 //! than the default ones, with commas and in the paper's notation.
 
-use criterion::{Criterion, SamplingMode, Throughput};
+use criterion::{SamplingMode, Throughput};
 use hug_bench::costs::{Function, Rays};
-use hug_bench::cpu_time::CpuTime;
 use hug_bench::load::Loaded;
 use hug_bench::notation::Configuration;
 use hug_bench::ray_sets::{RaySets, Set};
-use hug_bench::{args, machine, named};
+use hug_bench::{args, cpu_time, named};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -21,14 +20,8 @@ const FUNCTIONS: [(Function, &str); 4] = [
 ];
 
 fn run() -> Result<(), String> {
-    let mut criterion = Criterion::default()
-        .with_measurement(CpuTime)
-        .sample_size(20)
-        .nresamples(10_000)
-        .warm_up_time(Duration::from_millis(100))
-        .measurement_time(Duration::from_secs(1))
-        .configure_from_args();
-    println!("{}", machine::line());
+    let (warm_up, measurement) = (Duration::from_millis(100), Duration::from_millis(1000));
+    let mut criterion = cpu_time::criterion(20, warm_up, measurement);
     let size = named::size(250)?;
     for name in named::configurations()? {
         let config: Configuration = name.parse()?;

@@ -6,13 +6,13 @@
 mod abi;
 
 use abi::Handle;
-use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput};
+use criterion::{BenchmarkGroup, SamplingMode, Throughput};
 use hug::{Hit, Ray, Scene};
-use hug_bench::cpu_time::CpuTime;
+use hug_bench::cpu_time::{self, CpuTime};
 use hug_bench::kind::Kind;
 use hug_bench::load::Loaded;
 use hug_bench::ray_sets::{RaySets, Set};
-use hug_bench::{args, instructions, machine, named};
+use hug_bench::{args, instructions, named};
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -47,14 +47,8 @@ fn forms(group: &mut BenchmarkGroup<'_, CpuTime>, scene: &Scene, rays: &[Ray], w
 }
 
 fn run() -> Result<(), String> {
-    let mut criterion = Criterion::default()
-        .with_measurement(CpuTime)
-        .sample_size(10)
-        .nresamples(10_000)
-        .warm_up_time(Duration::from_millis(50))
-        .measurement_time(Duration::from_millis(300))
-        .configure_from_args();
-    println!("{}", machine::line());
+    let (warm_up, measurement) = (Duration::from_millis(50), Duration::from_millis(300));
+    let mut criterion = cpu_time::criterion(10, warm_up, measurement);
     let size = named::size(128)?;
     for name in named::scenes(|| Ok(vec!["kitchen".to_owned()]))? {
         let loaded = Loaded::new(&name)?;

@@ -1,5 +1,6 @@
-/* Bad input to every function of hug.h, and the promises that a program can hold
- * the library to: each failed expectation is printed, and makes the exit status 1. */
+/* What it teaches: what every function of hug.h says to bad input, and the promises that
+ * a program can hold the library to. Each failed expectation is printed, and makes the
+ * exit status 1. */
 #include <stdio.h>
 
 #include "abi/check.h"

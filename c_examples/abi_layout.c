@@ -1,4 +1,5 @@
-/* Prints how this compiler lays the structs of hug.h out, one line each:
+/* What it teaches: the structs of hug.h as a binding to another language needs them.
+ * Prints how this compiler lays them out, one line each:
  *     STRUCT SIZE ALIGNMENT
  *     STRUCT.FIELD OFFSET
  * for a test to compare with the library's own idea of them. */

@@ -1,5 +1,5 @@
-// hug.hpp at work, and checked: scenes that own their memory, errors as values or as
-// exceptions, spans, streams, saving, rebuilding, threads lent by lambda.
+// What it teaches: hug.hpp at work, and checked: scenes that own their memory, errors as
+// values or as exceptions, spans, streams, saving, rebuilding, threads lent by lambda.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

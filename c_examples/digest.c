@@ -1,8 +1,9 @@
-/* hug on whatever processor this is compiled for. A renderer that is ported wants to
- * know that it draws the same picture: results of hug depend neither on the processor
- * nor on the instruction set in use, so a few numbers tell. This program builds a
- * fixed scene in static memory, in every structure, traces fixed rays in every form
- * of query and on every instruction set that hug_force_isa takes, and prints digests:
+/* What it teaches: hug on whatever processor this is compiled for. A renderer that is
+ * ported wants to know that it draws the same picture: results of hug depend neither on
+ * the processor nor on the instruction set in use, so a few numbers tell. This program
+ * builds a fixed scene in static memory, in every structure, traces fixed rays in every
+ * form of query and on every instruction set that hug_force_isa takes, and prints
+ * digests:
  *
  *     scene: the bytes of the three arenas
  *     hits: what hug_intersect, hug_occluded and the streams said

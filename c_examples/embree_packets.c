@@ -1,5 +1,6 @@
-/* Checks hug_embree.h against Embree itself: packets of 4, 8 and 16 rays and streams of
- * single rays, asked of both on the same mesh. */
+/* What it teaches: moving packets over from Embree. Checks hug_embree.h against Embree
+ * itself: packets of 4, 8 and 16 rays and streams of single rays, asked of both on the
+ * same mesh. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
-/* Checks the converters of hug_embree.h: what goes to Embree's records and back is
- * the same, and hits, misses and occlusion follow Embree's conventions. Embree's
- * header is enough, the library is not linked. */
+/* What it teaches: moving single rays over from Embree. Checks the converters of
+ * hug_embree.h: what goes to Embree's records and back is the same, and hits, misses and
+ * occlusion follow Embree's conventions. Embree's header is enough, the library is not
+ * linked. */
 #include <stdio.h>
 #include <string.h>
 

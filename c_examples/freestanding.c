@@ -1,6 +1,6 @@
-/* hug without an operating system's libraries: no libc, no allocator, static
- * memory. Builds a tetrahedron and shoots at it; exits with 0 if all is right. What
- * it needs of the system, two calls of Linux, is in freestanding/linux.c. */
+/* What it teaches: hug without an operating system's libraries: no libc, no allocator,
+ * static memory. Builds a tetrahedron and shoots at it; exits with 0 if all is right.
+ * What it needs of the system, two calls of Linux, is in freestanding/linux.c. */
 #include "freestanding/runtime.h"
 #include "hug.h"
 

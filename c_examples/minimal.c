@@ -1,4 +1,5 @@
-/* The shortest complete use of hug: one triangle, one ray, every call checked. */
+/* What it teaches: the shortest complete use of hug: one triangle, one ray, every call
+ * checked. */
 #include <stdio.h>
 #include <string.h>
 

@@ -78,6 +78,7 @@ static const hug_scene *map(const char *path, int rank)
         bytes = mmap(NULL, (size_t)info.st_size, PROT_READ, MAP_SHARED, file, 0);
     if (bytes == MAP_FAILED)
         stop(rank, path, strerror(errno));
+    close(file); /* the mapping stays */
     status = hug_open(bytes, (size_t)info.st_size, 0, &scene);
     if (status != HUG_OK)
         stop(rank, path, hug_status_string(status));

@@ -1,10 +1,10 @@
 // What it teaches: hug in a renderer. A path tracer with diffuse and mirror surfaces,
-// coloured by primitive id, under a sun and a sky. It follows batches of paths, so its
-// rays go to hug as streams (path_tracer/paths.cpp); a ray that leaves a surface names
-// the triangle it starts on, so there is no epsilon (hug::skipping). Asking Embree
-// instead is one class (path_tracer/kernel.cpp); --kernel both renders with each and says
-// what they took and how far the pictures are apart. The picture is written again each
-// time the number of samples has doubled.
+// coloured by primitive id, under a sun and a sky, or lit by a lamp. It follows batches of
+// paths, so its rays go to hug as streams (path_tracer/paths.cpp); a ray that leaves a
+// surface names the triangle it starts on, so there is no epsilon (hug::skipping). Asking
+// Embree instead is one class (path_tracer/kernel.cpp); --kernel both renders with each
+// and says what they took and how far the pictures are apart. The picture is written
+// again each time the number of samples has doubled.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -13,7 +13,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "path_tracer/lamp.hpp"
 #include "path_tracer/paths.hpp"
+#include "path_tracer/picture.hpp"
 
 extern "C" {
 #include "camera.h"
@@ -35,6 +37,8 @@ const char help[] =
     "  --size N         pixels along each side (default: 512)\n"
     "  --samples N      paths a pixel (default: 16)\n"
     "  --bounces N      most surfaces a path leaves (default: 4)\n"
+    "  --lamp X,Y,Z     a lamp there; or none; or auto, the default: one below the ceiling if\n"
+    "                   hardly any daylight reaches the eye\n"
     "  --out FILE.png   the picture (default: path_tracer.png); with both, Embree's gets\n"
     "                   -embree before the ending\n"
     "  --help           this text\n";
@@ -45,6 +49,8 @@ enum { with_hug, with_embree, with_both };
 struct settings {
     const char *scene_name = "city", *out = "path_tracer.png";
     camera_options camera{};
+    enum { automatic, none, given } lamp = automatic;
+    float lamp_at[3]{};
     unsigned kernels = with_hug;
     unsigned long size = 0, samples = 0, bounces = 0;
     int help = 0;
@@ -52,7 +58,8 @@ struct settings {
 
 bool read_settings(int argc, char **argv, settings &s)
 {
-    const char *which = "hug", *size = "512", *samples = "16", *bounces = "4";
+    const char *which = "hug", *size = "512", *samples = "16", *bounces = "4",
+               *lamp = "auto";
     const option table[] = {{"--scene", &s.scene_name, nullptr},
                             {"--view", &s.camera.view, nullptr},
                             {"--cameras", &s.camera.file, nullptr},
@@ -61,30 +68,20 @@ bool read_settings(int argc, char **argv, settings &s)
                             {"--size", &size, nullptr},
                             {"--samples", &samples, nullptr},
                             {"--bounces", &bounces, nullptr},
+                            {"--lamp", &lamp, nullptr},
                             {"--out", &s.out, nullptr},
                             {"--help", nullptr, &s.help}};
-    return options_parse(argc, argv, table, sizeof table / sizeof *table) &&
+    if (!options_parse(argc, argv, table, sizeof table / sizeof *table))
+        return false;
+    if (std::strcmp(lamp, "none") == 0)
+        s.lamp = settings::none;
+    else if (std::strcmp(lamp, "auto") != 0)
+        s.lamp = settings::given;
+    return (s.lamp != settings::given || parse_floats("--lamp", lamp, s.lamp_at, 3)) &&
            parse_one("--kernel", which, kernel_names, 3, &s.kernels) &&
            parse_count("--size", size, 1, 8192, &s.size) &&
            parse_count("--samples", samples, 1, 100000, &s.samples) &&
            parse_count("--bounces", bounces, 0, 64, &s.bounces);
-}
-
-// Brightness to a byte: a curve with a toe and a shoulder (Narkowicz's fit of the ACES
-// curve), then a display's gamma.
-unsigned char byte(float sum, unsigned samples)
-{
-    float x = 0.75f * sum / float(samples);
-    x = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
-    return static_cast<unsigned char>(255 * std::pow(std::min(x, 1.0f), 1 / 2.2f) + 0.5f);
-}
-
-std::vector<unsigned char> developed(const std::vector<vec> &picture, unsigned samples)
-{
-    std::vector<unsigned char> bytes;
-    for (vec sum : picture)
-        bytes.insert(bytes.end(), {byte(sum.x, samples), byte(sum.y, samples), byte(sum.z, samples)});
-    return bytes;
 }
 
 std::vector<unsigned char> render(const settings &s, const world &of, const kit_view &view,
@@ -119,22 +116,17 @@ std::vector<unsigned char> render(const settings &s, const world &of, const kit_
     return bytes;
 }
 
-void print_difference(const std::vector<unsigned char> &a, const std::vector<unsigned char> &b)
+// Both kernels render the same world: the lamp is where the first of them finds a place.
+void light(const settings &s, kernel &by, const kit_view &view, world &of)
 {
-    std::size_t differ = 0;
-    double sum = 0;
-    int most = 0;
-    for (std::size_t i = 0; i < a.size(); i += 3) {
-        int apart = 0;
-        for (std::size_t k = i; k < i + 3; k++) {
-            apart = std::max(apart, std::abs(a[k] - b[k]));
-            sum += std::abs(a[k] - b[k]);
-        }
-        differ += apart > 0;
-        most = std::max(most, apart);
-    }
-    std::printf("the pictures: mean difference %.4f of 255, largest %d, %.2f %% of pixels differ\n",
-                sum / double(a.size()), most, 300.0 * double(differ) / double(a.size()));
+    vec at{s.lamp_at[0], s.lamp_at[1], s.lamp_at[2]};
+    if (s.lamp == settings::none || (s.lamp == settings::automatic && !lamp_is_needed(by, view, &at)))
+        return;
+    vec away = at - vec{view.eye[0], view.eye[1], view.eye[2]};
+    if (!(dot(away, away) > 0))
+        throw std::runtime_error("--lamp: no place for one at the eye itself");
+    of.hang_lamp(at, std::sqrt(dot(away, away)));
+    std::printf("a lamp at %g,%g,%g\n", double(at.x), double(at.y), double(at.z));
 }
 
 void run(const settings &s, const scene &from, const kit_view &view)
@@ -150,10 +142,13 @@ void run(const settings &s, const scene &from, const kit_view &view)
                 from.triangle_count, s.size, s.size, s.samples);
     if (s.kernels != with_embree) {
         hug_kernel by(from);
+        light(s, by, view, of);
         ours = render(s, of, view, by, "hug", out);
     }
     if (s.kernels != with_hug) {
         embree_kernel by(from);
+        if (s.kernels == with_embree)
+            light(s, by, view, of);
         theirs = render(s, of, view, by, "Embree", other);
     }
     if (s.kernels == with_both)

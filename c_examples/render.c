@@ -1,5 +1,6 @@
-/* Renders a scene file or a built-in scene to PNG: shaded, depth, or a heat map
- * of the steps that each pixel's ray took. */
+/* What it teaches: scene files, cameras and counted queries. Renders a scene file or a
+ * built-in scene to PNG: shaded, depth, or a heat map of the steps that each pixel's ray
+ * took. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* As many triangles as memory holds: builds a sheet of N triangles and sends rays down
- * onto it, each of which must hit the one triangle that lies there.
+/* What it teaches: as many triangles as memory holds. Builds a sheet of N triangles and
+ * sends rays down onto it, each of which must hit the one triangle that lies there.
  *
  *     scale [TRIANGLES [MAX_REFS [STRUCTURE]]]
  *

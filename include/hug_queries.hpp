@@ -21,14 +21,13 @@ struct found {
 inline result<found> intersect_all(scene_view in, const ray &along, span<hit> room,
                                    const hit *after = nullptr)
 {
-    found of{};
+    std::size_t count = 0;
     std::int32_t more = 0;
-    status code = hug_intersect_all(in.get(), &along, after, room.data(), room.size(), &of.count,
+    status code = hug_intersect_all(in.get(), &along, after, room.data(), room.size(), &count,
                                     &more);
     if (code != HUG_OK)
         return result<found>::failure(code);
-    of.more = more != 0;
-    return of;
+    return found{count, more != 0};
 }
 
 // Calls f(const hit &) for every hit in order, in room for 16 at a time; f returns false

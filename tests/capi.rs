@@ -113,7 +113,14 @@ fn bad_options_are_refused() {
 /// Everything in the header is ours by name: it is included by others.
 #[test]
 fn every_macro_has_the_prefix() {
-    let headers = ["hug.h", "hug.hpp", "hug_builder.hpp", "hug_embree.h", "hug_embree_packets.h"];
+    let headers = [
+        "hug.h",
+        "hug.hpp",
+        "hug_builder.hpp",
+        "hug_queries.hpp",
+        "hug_embree.h",
+        "hug_embree_packets.h",
+    ];
     for file in headers.map(|name| format!("include/{name}")) {
         let header = fs::read_to_string(root().join(&file)).expect("a header");
         for line in header.lines().filter_map(|line| line.strip_prefix("#define ")) {

@@ -40,6 +40,16 @@ fn check(mesh: &Mesh, kind: &str, options: &[(&str, Options)]) {
     }
 }
 
+/// So many triangles, drawn one by one.
+fn drawn(seed: u64, n: usize, mut draw: impl FnMut(&mut Random) -> [[f32; 3]; 3]) -> Mesh {
+    let mut mesh = Mesh::default();
+    let mut random = Random::stream(seed);
+    for _ in 0..n {
+        mesh.push(draw(&mut random));
+    }
+    mesh
+}
+
 /// Few triangles in every configuration, many in the three structures.
 fn check_both(make: impl Fn(usize) -> Mesh, kind: &str, many: usize) {
     let free = |(name, options): (&'static str, Options)| {
@@ -95,14 +105,8 @@ fn a_fan_about_one_vertex() {
 
 #[test]
 fn huge_triangles_across_each_other() {
-    let huge = |n| {
-        let mut mesh = Mesh::default();
-        let mut random = Random::stream(78);
-        for _ in 0..n {
-            mesh.push([(); 3].map(|()| random.direction().map(|c| (c * 1e6) as f32)));
-        }
-        mesh
-    };
+    let far = |random: &mut Random| random.direction().map(|c| (c * 1e6) as f32);
+    let huge = |n| drawn(78, n, |random| [(); 3].map(|()| far(random)));
     check_both(huge, "a huge triangle", 20_000);
 }
 
@@ -110,14 +114,10 @@ fn huge_triangles_across_each_other() {
 #[test]
 fn slivers_through_all_of_space() {
     let slivers = |n| {
-        let mut mesh = Mesh::default();
-        let mut random = Random::stream(79);
-        for _ in 0..n {
-            let a = random.direction().map(|c| c as f32);
-            let b = random.direction().map(|c| c as f32);
-            mesh.push([a, b, [b[0], b[1], b[2] + 1e-6]]);
-        }
-        mesh
+        drawn(79, n, |random| {
+            let [a, b] = [(); 2].map(|()| random.direction().map(|c| c as f32));
+            [a, b, [b[0], b[1], b[2] + 1e-6]]
+        })
     };
     check_both(slivers, "a sliver", 20_000);
 }

@@ -1,19 +1,25 @@
-//! `make install` into a prefix, and projects of somebody else's built against it: C by
-//! pkg-config, C++ by CMake, static and shared.
+//! `make install` and, where cargo-c is there, `cargo cinstall` into a prefix, and projects of
+//! somebody else's built against it: C by pkg-config, C++ by CMake, static and shared.
 #![allow(missing_docs)]
 #![cfg(feature = "capi")]
 
 mod common;
 
 use common::native::{declared, root, run, symbols, target};
+use std::collections::BTreeSet;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Mutex;
 
 /// What every one of the programs prints.
 const PRINTED: &str = concat!("hug ", env!("CARGO_PKG_VERSION"), ": t 2\n");
 
 fn make(what: &str, prefix: &Path) {
+    // Both tests build in the same place.
+    static TURN: Mutex<()> = Mutex::new(());
+    let _turn = TURN.lock();
     let mut make = Command::new("make");
     make.arg("-C").arg(root()).args(["--silent", what]);
     make.arg(format!("PREFIX={}", prefix.display()));
@@ -65,30 +71,20 @@ fn cmake_programs(prefix: &Path) {
     assert!(linked.contains("hug_build"), "outside_static does not hold the library");
 }
 
-#[test]
-fn outside_projects_use_an_installed_tree() {
-    let prefix = target().join("outside/first");
-    let _ = fs::remove_dir_all(target().join("outside"));
-    make("install", &prefix);
-
-    let shared = pkg_config(&prefix, &["--cflags", "--libs"]);
-    assert_eq!(c_program(&prefix, "shared", &shared), PRINTED);
-    let archive = pkg_config(&prefix, &["--static", "--cflags", "--libs"]);
+/// By pkg-config: against the shared library, the static one, and with nothing shared at all.
+fn c_programs(prefix: &Path) {
+    let shared = pkg_config(prefix, &["--cflags", "--libs"]);
+    assert_eq!(c_program(prefix, "shared", &shared), PRINTED);
+    let archive = pkg_config(prefix, &["--static", "--cflags", "--libs"]);
     let chosen: Vec<_> = archive.iter().map(|flag| flag.replace("-lhug", "-l:libhug.a")).collect();
-    assert_eq!(c_program(&prefix, "static", &chosen), PRINTED);
+    assert_eq!(c_program(prefix, "static", &chosen), PRINTED);
     let whole = [&["-static".to_owned()][..], &archive].concat();
-    assert_eq!(c_program(&prefix, "whole", &whole), PRINTED);
-    assert_eq!(pkg_config(&prefix, &["--modversion"]), [env!("CARGO_PKG_VERSION")]);
+    assert_eq!(c_program(prefix, "whole", &whole), PRINTED);
+    assert_eq!(pkg_config(prefix, &["--modversion"]), [env!("CARGO_PKG_VERSION")]);
+}
 
-    // The tree may be moved: its CMake files say nothing of where it was.
-    let moved = prefix.with_file_name("second");
-    fs::rename(&prefix, &moved).expect("the tree can be moved");
-    cmake_programs(&moved);
-
-    // What a linker sees is ours and all of it, in both libraries.
-    let libraries = moved.join("lib");
-    let archive = symbols(&["--defined-only", "--extern-only"], &libraries.join("libhug.a"));
-    assert_eq!(archive, declared());
+/// What a linker sees of the shared library is ours and all of it, under the right name.
+fn shared_library(libraries: &Path) {
     let shared = symbols(&["--defined-only", "--dynamic"], &libraries.join("libhug.so"));
     assert_eq!(shared, declared());
     let [major, minor, _] = *env!("CARGO_PKG_VERSION").split('.').collect::<Vec<_>>() else {
@@ -97,10 +93,66 @@ fn outside_projects_use_an_installed_tree() {
     let version = if major == "0" { format!("0.{minor}") } else { major.to_owned() };
     let dynamic = run(Command::new("readelf").arg("-d").arg(libraries.join("libhug.so")));
     assert!(dynamic.contains(&format!("[libhug.so.{version}]")), "{dynamic}");
+}
+
+/// A folder below the target in which nothing is installed yet.
+fn fresh(name: &str) -> PathBuf {
+    let folder = target().join(name);
+    let _ = fs::remove_dir_all(&folder);
+    folder.join("first")
+}
+
+#[test]
+fn outside_projects_use_an_installed_tree() {
+    let prefix = fresh("outside");
+    make("install", &prefix);
+    c_programs(&prefix);
+
+    // The tree may be moved: its CMake files say nothing of where it was.
+    let moved = prefix.with_file_name("second");
+    fs::rename(&prefix, &moved).expect("the tree can be moved");
+    cmake_programs(&moved);
+
+    let libraries = moved.join("lib");
+    let archive = symbols(&["--defined-only", "--extern-only"], &libraries.join("libhug.a"));
+    assert_eq!(archive, declared());
+    shared_library(&libraries);
 
     make("uninstall", &moved);
     let left = files(&moved);
     assert!(left.is_empty(), "left behind: {left:?}");
+}
+
+/// The same tree by the other way. Its archive is as rustc makes it, with Rust's own names.
+#[test]
+fn outside_projects_use_what_cargo_c_installs() {
+    if !Command::new("cargo-cinstall").arg("--version").output().is_ok_and(|o| o.status.success()) {
+        // Not by eprintln, which only those who fail get to see.
+        let said = "skipped: no cargo-c (cargo install cargo-c --locked)\n";
+        std::io::stderr().write_all(said.as_bytes()).expect("standard error");
+        return;
+    }
+    let prefix = fresh("outside-cargo-c");
+    let mut cinstall = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cinstall.args(["cinstall", "--release"]).current_dir(root());
+    cinstall.arg("--prefix").arg(&prefix).arg("--libdir").arg(prefix.join("lib"));
+    cinstall.arg("--target-dir").arg(target().join("cargo-c")).env_remove("CARGO_BUILD_TARGET");
+    run(&mut cinstall);
+    c_programs(&prefix);
+    let names = |prefix: &Path| {
+        let below = |path: PathBuf| path.strip_prefix(prefix).expect("below it").to_owned();
+        files(prefix).into_iter().map(below).collect::<BTreeSet<_>>()
+    };
+    let made = fresh("outside-made");
+    make("install", &made);
+    assert_eq!(names(&prefix), names(&made));
+
+    let moved = prefix.with_file_name("second");
+    fs::rename(&prefix, &moved).expect("the tree can be moved");
+    cmake_programs(&moved);
+    shared_library(&moved.join("lib"));
+    let archive = symbols(&["--defined-only", "--extern-only"], &moved.join("lib/libhug.a"));
+    assert!(declared().is_subset(&archive));
 }
 
 /// Files that no tool writes the version into.

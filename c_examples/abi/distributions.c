@@ -176,19 +176,15 @@ static void check_older_stats(const hug_scene *scene)
     EXPECT(hug_stats(scene, &stats), HUG_ERROR_STRUCT_SIZE);
 }
 
+static void check_structure(const hug_scene *scene)
+{
+    check_histograms(scene);
+    check_bad_histograms(scene);
+    check_lengths(scene);
+    check_older_stats(scene);
+}
+
 void check_distributions(void)
 {
-    hug_structure structure;
-    for (structure = HUG_STRUCTURE_UNIFORM; structure <= HUG_STRUCTURE_HUG; structure++) {
-        fixture f;
-        hug_scene *scene;
-        fixture_make(&f);
-        f.desc.structure = structure;
-        scene = fixture_build(&f.desc);
-        check_histograms(scene);
-        check_bad_histograms(scene);
-        check_lengths(scene);
-        check_older_stats(scene);
-        hug_free(scene);
-    }
+    fixture_structures(check_structure);
 }

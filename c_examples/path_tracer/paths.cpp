@@ -30,7 +30,15 @@ void paths::start(std::uint32_t sample, std::size_t first, std::size_t count)
     }
 }
 
-// A path goes on from a surface: mirrored, or with sunlight noted and a new direction.
+// This light reaches the pixel unless something is in the ray's way.
+void paths::ask(const hug::ray &ray, vec light, std::uint32_t pixel)
+{
+    to_lights_.push_back(ray);
+    light_.push_back(light);
+    light_pixels_.push_back(pixel);
+}
+
+// A path goes on from a surface: mirrored, or with its lights noted and a new direction.
 void paths::leave(path of, const hug::ray &ray, const hug::hit &hit, bool last)
 {
     surface at = world_.surface_of(ray, hit);
@@ -43,10 +51,20 @@ void paths::leave(path of, const hug::ray &ray, const hug::hit &hit, bool last)
         float first = of.random.next(), second = of.random.next();
         vec sun = world_.towards_sun(first, second);
         float cosine = dot(sun, at.normal);
-        if (cosine > 0) {
-            to_sun_.push_back(hug::skipping(ray_along(at.at, sun), hit));
-            sunlight_.push_back(of.throughput * world_.sunlight() * cosine);
-            sun_pixels_.push_back(of.pixel);
+        if (cosine > 0)
+            ask(hug::skipping(ray_along(at.at, sun), hit),
+                of.throughput * world_.sunlight() * cosine, of.pixel);
+        if (world_.has_lamp()) {
+            float third = of.random.next(), fourth = of.random.next();
+            vec away = world_.lamp(third, fourth) - at.at;
+            float distance = std::sqrt(dot(away, away));
+            cosine = dot(away, at.normal) / distance;
+            if (cosine > 0) {
+                hug::ray to_lamp = ray_along(at.at, unit(away));
+                to_lamp.tmax = distance;
+                ask(hug::skipping(to_lamp, hit),
+                    of.throughput * world_.lamplight(distance) * cosine, of.pixel);
+            }
         }
         // Cosine-weighted.
         vec a, b;
@@ -84,16 +102,16 @@ void paths::meet(std::vector<vec> &picture, bool last)
     rays_.swap(next_rays_);
 }
 
-void paths::look_at_sun(std::vector<vec> &picture)
+void paths::look_at_lights(std::vector<vec> &picture)
 {
-    blocked_.resize(to_sun_.size());
-    kernel_.occluded(to_sun_, blocked_);
-    for (std::size_t i = 0; i < to_sun_.size(); i++)
+    blocked_.resize(to_lights_.size());
+    kernel_.occluded(to_lights_, blocked_);
+    for (std::size_t i = 0; i < to_lights_.size(); i++)
         if (!blocked_[i])
-            picture[sun_pixels_[i]] = picture[sun_pixels_[i]] + sunlight_[i];
-    to_sun_.clear();
-    sunlight_.clear();
-    sun_pixels_.clear();
+            picture[light_pixels_[i]] = picture[light_pixels_[i]] + light_[i];
+    to_lights_.clear();
+    light_.clear();
+    light_pixels_.clear();
 }
 
 void paths::add_sample(std::uint32_t sample, std::size_t first, std::size_t count,
@@ -102,6 +120,6 @@ void paths::add_sample(std::uint32_t sample, std::size_t first, std::size_t coun
     start(sample, first, count);
     for (unsigned bounce = 0; bounce <= bounces_ && !rays_.empty(); bounce++) {
         meet(picture, bounce == bounces_);
-        look_at_sun(picture);
+        look_at_lights(picture);
     }
 }

@@ -1,5 +1,6 @@
 // A path tracer that follows many paths at a time, so that its kernel is asked for
-// streams of rays: all paths of a batch meet their next surface, then all look at the sun.
+// streams of rays: all paths of a batch meet their next surface, then all look at the sun
+// and the lamp.
 #ifndef PATHS_HPP
 #define PATHS_HPP
 
@@ -26,7 +27,8 @@ private:
 
     void start(std::uint32_t sample, std::size_t first, std::size_t count);
     void meet(std::vector<vec> &picture, bool last);
-    void look_at_sun(std::vector<vec> &picture);
+    void look_at_lights(std::vector<vec> &picture);
+    void ask(const hug::ray &ray, vec light, std::uint32_t pixel);
     void leave(path of, const hug::ray &ray, const hug::hit &hit, bool last);
 
     const world &world_;
@@ -34,10 +36,10 @@ private:
     vec eye_, ahead_, right_, up_;
     unsigned size_, bounces_;
     std::vector<path> paths_, next_;
-    std::vector<hug::ray> rays_, next_rays_, to_sun_;
+    std::vector<hug::ray> rays_, next_rays_, to_lights_;
     std::vector<hug::hit> hits_;
-    std::vector<vec> sunlight_;
-    std::vector<std::uint32_t> sun_pixels_;
+    std::vector<vec> light_;
+    std::vector<std::uint32_t> light_pixels_;
     std::vector<std::uint8_t> blocked_;
 };
 

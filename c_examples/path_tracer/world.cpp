@@ -7,6 +7,7 @@ namespace {
 // Neighbours in the mesh share a colour, and one group of so many is a mirror.
 constexpr std::uint32_t group = 12, mirrors = 8;
 constexpr float sun_radius = 0.02f; // radians, four times the real one's
+constexpr float lamp_radius = 0.05f; // of how far it reaches
 
 vec corner(const scene &from, std::uint32_t index)
 {
@@ -65,4 +66,23 @@ vec world::towards_sun(float r, float s) const
     frame_of(sun_, a, b);
     float radius = sun_radius * std::sqrt(r), angle = 6.2831853f * s;
     return unit(sun_ + a * (radius * std::cos(angle)) + b * (radius * std::sin(angle)));
+}
+
+void world::hang_lamp(vec at, float distance)
+{
+    lamp_ = at;
+    reach_ = distance;
+}
+
+vec world::lamp(float r, float s) const
+{
+    float z = 1 - 2 * r, across = std::sqrt(1 - z * z), angle = 6.2831853f * s;
+    return lamp_ + vec{across * std::cos(angle), across * std::sin(angle), z} * (lamp_radius * reach_);
+}
+
+vec world::lamplight(float distance) const
+{
+    // No brighter near by: a few paths that end beside the lamp would spoil their pixels.
+    float near = std::max(distance / reach_, 0.35f);
+    return vec{0.9f, 0.8f, 0.65f} * (1 / (near * near));
 }

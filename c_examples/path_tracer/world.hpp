@@ -1,4 +1,4 @@
-// What rays meet: surfaces coloured by primitive id, a sun and a sky.
+// What rays meet: surfaces coloured by primitive id, a sun, a sky, perhaps a lamp.
 #ifndef WORLD_HPP
 #define WORLD_HPP
 
@@ -28,9 +28,17 @@ public:
     vec towards_sun(float r, float s) const;
     vec sunlight() const { return {3.6f, 3.2f, 2.7f}; }
 
+    // A ball of light, not seen itself. What is so far from it is lit by a quarter of the sun.
+    void hang_lamp(vec at, float distance);
+    bool has_lamp() const { return reach_ > 0; }
+    // A place on the ball.
+    vec lamp(float r, float s) const;
+    vec lamplight(float distance) const;
+
 private:
     const scene &from_;
-    vec up_, sun_;
+    vec up_, sun_, lamp_{};
+    float reach_ = 0;
 };
 
 #endif

@@ -2,7 +2,7 @@
 
 use super::build::hug_scene;
 use super::guard::guard;
-use super::query::{read, view};
+use super::query::{answer, read, view};
 use super::types::{hug_hit, hug_ray, hug_status};
 use crate::{Error, Hit};
 
@@ -111,6 +111,5 @@ pub unsafe extern "C" fn hug_intersect_triangle(
         }
     };
     // SAFETY: not NULL, writable by contract.
-    unsafe { hit.cast::<Hit>().write_unaligned(found) };
-    i32::from(found.is_hit())
+    unsafe { answer(hit, found) }
 }

@@ -4,7 +4,7 @@
 use core::ffi::c_void;
 
 use super::build::hug_scene;
-use super::query::{hug_intersect, hug_occluded, read, view};
+use super::query::{answer, hug_intersect, hug_occluded, read, view};
 use super::stream::{Strided, hug_intersect_n, hug_occluded_n};
 use super::types::{hug_hit, hug_ray};
 use crate::trace::Flags;
@@ -62,8 +62,7 @@ pub unsafe extern "C" fn hug_intersect_filtered(
     unsafe {
         let ray = read(ray);
         let found = view(scene).intersect_filtered(&ray, |hit| filter.accepts(0, &ray, hit));
-        hit.cast::<Hit>().write_unaligned(found);
-        i32::from(found.is_hit())
+        answer(hit, found)
     }
 }
 

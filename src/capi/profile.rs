@@ -2,10 +2,10 @@
 #![allow(non_camel_case_types)]
 
 use super::build::hug_scene;
-use super::query::{hug_intersect, hug_occluded, read, view};
+use super::query::{answer, hug_intersect, hug_occluded, read, view};
 use super::stream::{self, hug_intersect_n, hug_occluded_n};
 use super::types::{HUG_MAX_LEVELS, hug_hit, hug_ray};
-use crate::{Calls, Hit, Profile};
+use crate::{Calls, Profile};
 
 /// Section 3's rendering statistics of one level of grids, or of all.
 #[derive(Clone, Copy)]
@@ -84,8 +84,7 @@ pub unsafe extern "C" fn hug_intersect_profiled(
     unsafe {
         let found = view(scene).intersect_profiled(&read(ray), &mut seen);
         add_levels(profile, &seen);
-        hit.cast::<Hit>().write_unaligned(found);
-        i32::from(found.is_hit())
+        answer(hit, found)
     }
 }
 

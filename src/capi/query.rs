@@ -24,6 +24,16 @@ pub(super) unsafe fn read(ray: *const hug_ray) -> Ray {
     unsafe { ray.cast::<Ray>().read_unaligned() }
 }
 
+/// Writes what was found to a record of any alignment: 1 for a hit, 0 for a miss.
+///
+/// # Safety
+/// `hit` is writable.
+pub(super) unsafe fn answer(hit: *mut hug_hit, found: Hit) -> i32 {
+    // SAFETY: the two structs have the same layout; writable by the caller.
+    unsafe { hit.cast::<Hit>().write_unaligned(found) };
+    i32::from(found.is_hit())
+}
+
 /// Finds the closest hit. Returns 1 and writes the hit, or returns 0 and
 /// writes the record of a miss. With scene, ray or hit NULL: 0 (a hit record,
 /// if there is one, becomes a miss with t = infinity).
@@ -41,15 +51,12 @@ pub unsafe extern "C" fn hug_intersect(
     if scene.is_null() || ray.is_null() || hit.is_null() {
         if !hit.is_null() {
             // SAFETY: not NULL, writable by contract.
-            unsafe { hit.cast::<Hit>().write_unaligned(Hit::miss(f32::INFINITY)) };
+            unsafe { answer(hit, Hit::miss(f32::INFINITY)) };
         }
         return 0;
     }
     // SAFETY: not NULL, valid by contract.
-    let found = unsafe { view(scene).intersect(&read(ray)) };
-    // SAFETY: not NULL, writable by contract.
-    unsafe { hit.cast::<Hit>().write_unaligned(found) };
-    i32::from(found.is_hit())
+    unsafe { answer(hit, view(scene).intersect(&read(ray))) }
 }
 
 /// Whether anything is hit: 1 or 0. With scene or ray NULL: 0.
@@ -86,8 +93,7 @@ pub unsafe extern "C" fn hug_intersect_counted(
     unsafe {
         let found = view(scene).intersect_counted(&read(ray), &mut seen);
         add(counters, &seen);
-        hit.cast::<Hit>().write_unaligned(found);
-        i32::from(found.is_hit())
+        answer(hit, found)
     }
 }
 

@@ -18,5 +18,6 @@ pub mod paper;
 pub mod ply;
 pub mod ray_sets;
 pub mod rounds;
+pub mod shade;
 pub mod table;
 pub mod variation;

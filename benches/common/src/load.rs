@@ -19,20 +19,22 @@ impl Loaded {
     pub fn new(name: &str) -> Result<Self, String> {
         if let Some(scene) = scenes::generate(name) {
             let views = scene.views.iter().map(|v| (v.name.to_owned(), v.view)).collect();
-            return Self::of(name.to_owned(), scene.mesh, views);
+            return Self::of(name, name.to_owned(), scene.mesh, views);
         }
-        let path = find(name).ok_or_else(|| {
-            let known = scenes::NAMES.join(", ");
-            format!("{name}: no such scene: {known}, surface:N, uniform:N, clustered:N, or a PLY or OBJ file, also one in the folder $HUG_SCENES")
-        })?;
+        let path = find(name).ok_or_else(|| missing(name))?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let obj = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("obj"));
         let mesh = if obj { obj::read(&path)? } else { ply::read(&path)? };
-        Self::of(stem, mesh, cameras::beside(&path)?)
+        Self::of(&path.to_string_lossy(), stem, mesh, cameras::beside(&path)?)
     }
 
-    fn of(name: String, mesh: Mesh, views: Vec<(String, View)>) -> Result<Self, String> {
-        let bounds = mesh.bounds().ok_or_else(|| format!("{name}: no finite vertex"))?;
+    fn of(
+        from: &str,
+        name: String,
+        mesh: Mesh,
+        views: Vec<(String, View)>,
+    ) -> Result<Self, String> {
+        let bounds = mesh.bounds().ok_or_else(|| format!("{from}: no finite vertex"))?;
         Ok(Self { name, mesh, bounds, views })
     }
 
@@ -78,6 +80,21 @@ fn find(name: &str) -> Option<PathBuf> {
     let given = Some(PathBuf::from(name));
     let kept = folder().map(in_folder);
     [given, kept].into_iter().flatten().find(|path| path.is_file())
+}
+
+/// Why there is no such scene: a name with a dot or a slash was meant to be a file's.
+fn missing(name: &str) -> String {
+    if Path::new(name).is_dir() {
+        return format!("{name}: a folder, not a file");
+    }
+    if name.contains(['.', '/']) {
+        return format!("{name}: no such file, nor in the folder $HUG_SCENES");
+    }
+    let known = scenes::NAMES.join(", ");
+    format!(
+        "{name}: no such scene: {known}, surface:N, uniform:N, clustered:N, \
+         or a PLY or OBJ file, also one in the folder $HUG_SCENES"
+    )
 }
 
 fn folder() -> Option<PathBuf> {

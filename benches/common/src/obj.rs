@@ -13,7 +13,10 @@ pub fn read(path: &Path) -> Result<Mesh, String> {
     let options = LoadOptions { triangulate: true, ..LoadOptions::default() };
     let no_materials = |_: &Path| Err(LoadError::GenericFailure);
     let read = tobj::load_obj_buf(&mut BufReader::new(file), &options, no_materials);
-    let (models, _) = read.map_err(|error| failed(&error))?;
+    let (models, _) = read.map_err(|error| match error {
+        LoadError::ReadError => failed(&"is not text, as an OBJ file is"),
+        error => failed(&error),
+    })?;
     let mut mesh = Mesh::default();
     for model in models {
         let first = u32::try_from(mesh.vertices.len()).map_err(|error| failed(&error))?;

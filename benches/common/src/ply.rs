@@ -3,8 +3,9 @@
 use hug_kit::Mesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, PropertyAccess, PropertyAccessResult};
+use std::fmt::Display;
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 #[derive(Default)]
@@ -60,9 +61,17 @@ impl PropertyAccess for Face {
 
 /// The mesh of a PLY file of any of the three encodings.
 pub fn read(path: &Path) -> Result<Mesh, String> {
-    let failed = |what: &dyn std::fmt::Display| format!("{}: {what}", path.display());
+    let failed = |what: &dyn Display| format!("{}: {}", path.display(), one_line(what));
     let file = File::open(path).map_err(|error| failed(&error))?;
-    let mut reader = Reader::new(BufReader::new(file));
+    let mut buffered = BufReader::new(file);
+    let begins = buffered.fill_buf().map_err(|error| failed(&error))?;
+    if begins.is_empty() {
+        return Err(failed(&"is empty"));
+    }
+    if !begins.starts_with(b"ply") {
+        return Err(failed(&"does not begin as a PLY file does (OBJ files must end in .obj)"));
+    }
+    let mut reader = Reader::new(buffered);
     let (vertices, faces) = (Parser::<Vertex>::new(), Parser::<Face>::new());
     let header = vertices.read_header(&mut reader).map_err(|error| failed(&error))?;
     let mut mesh = Mesh::default();
@@ -93,6 +102,15 @@ pub fn read(path: &Path) -> Result<Mesh, String> {
         return Err(failed(&"a face names a vertex that is not there"));
     }
     Ok(mesh)
+}
+
+/// The reader's errors take several lines, some of them about its grammar.
+fn one_line(what: &dyn Display) -> String {
+    let text = what.to_string();
+    let grammar = |line: &str| line.contains("ParseError {") || line.contains("expected one of");
+    let mut lines: Vec<&str> = text.lines().map(str::trim).collect();
+    lines.retain(|line| !line.is_empty() && !grammar(line));
+    lines.join(" ")
 }
 
 fn fan(face: &Face) -> impl Iterator<Item = [u32; 3]> + '_ {

@@ -42,21 +42,25 @@ pub enum Command {
     Report(hug_report::args::Args),
 }
 
+const BUILDING: &str = "Building";
+
 /// What to build.
 #[derive(clap::Args, Clone, Debug)]
 pub struct How {
     /// auto, uniform, recursive or hug; or a structure in the paper's notation: g28, r50,
     /// u.f3.sqrt2. Options may follow, as in hug+components+min=32 or uniform+overlap
-    #[arg(long, default_value = "auto", value_parser = structure)]
+    #[arg(long, help_heading = BUILDING, value_name = "NAME", default_value = "auto",
+          value_parser = structure)]
     pub structure: Named,
     /// How fine a structure auto builds
-    #[arg(long, value_enum, default_value_t = Fineness::Default)]
+    #[arg(long, help_heading = BUILDING, value_enum, default_value_t = Fineness::Default)]
     pub quality: Fineness,
     /// The smallest arena that is still sensible (auto)
-    #[arg(long)]
+    #[arg(long, help_heading = BUILDING)]
     pub compact: bool,
     /// Threads to build with; the bytes built are the same
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
+    #[arg(long, help_heading = BUILDING, value_name = "N", default_value_t = 1,
+          value_parser = clap::value_parser!(u32).range(1..=256))]
     pub threads: u32,
 }
 
@@ -78,6 +82,7 @@ impl How {
 pub enum Fineness {
     /// Built soonest
     Fast,
+    /// Between the two
     Default,
     /// Traced soonest
     High,
@@ -104,8 +109,8 @@ fn structure(text: &str) -> Result<Named, String> {
 pub struct Build {
     /// What to build
     pub scene: String,
-    /// File to save the built scene to, for hug_open and `hug info`
-    #[arg(long, short)]
+    /// File to save the built scene to, for `hug info`, `hug render` and hug_open
+    #[arg(long, short, value_name = "FILE")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub how: How,
@@ -129,14 +134,14 @@ pub struct Info {
 pub struct Render {
     /// A built scene's file, or a scene to build first
     pub scene: String,
-    /// The picture; SCENE.png unless given
-    #[arg(long, short)]
+    /// The picture, a PNG file; SCENE.png in this folder unless given
+    #[arg(long, short, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// What a pixel shows
     #[arg(long, value_enum, default_value_t = Mode::Shaded)]
     pub mode: Mode,
     /// A view of the scene by name: a built-in one, or from scenes.json beside the file
-    #[arg(long, conflicts_with = "camera")]
+    #[arg(long, value_name = "NAME", conflicts_with = "camera")]
     pub view: Option<String>,
     /// Where to look from: eye, point looked at, up, field of view in degrees
     #[arg(
@@ -148,7 +153,7 @@ pub struct Render {
     )]
     pub camera: Option<Vec<f32>>,
     /// Pixels along each side
-    #[arg(long, default_value_t = 768, value_parser = clap::value_parser!(u32).range(1..=16384))]
+    #[arg(long, value_name = "N", default_value_t = 768, value_parser = clap::value_parser!(u32).range(1..=16384))]
     pub size: u32,
     #[command(flatten)]
     pub how: How,
@@ -172,20 +177,20 @@ pub struct Compare {
     /// What to compare on
     pub scene: String,
     /// Structures, as for build; again or with commas
-    #[arg(long, value_delimiter = ',', default_value = "auto,uniform,recursive,hug",
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "auto,uniform,recursive,hug",
           value_parser = structure)]
     pub structure: Vec<Named>,
     /// A view of the scene by name
-    #[arg(long)]
+    #[arg(long, value_name = "NAME")]
     pub view: Option<String>,
     /// Pixels along each side of the frame that rays come from
-    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=2048))]
+    #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=2048))]
     pub size: u32,
     /// How often each set of rays is traced; the median counts
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     pub rounds: u32,
     /// Rays of each set to check against every triangle
-    #[arg(long, default_value_t = 32)]
+    #[arg(long, value_name = "N", default_value_t = 32)]
     pub check: u32,
     /// No progress bars
     #[arg(long, short)]

@@ -5,6 +5,7 @@ use crate::input::Input;
 use crate::progress;
 use hug::{Counters, Hit, Ray, View};
 use hug_bench::clock;
+use hug_bench::shade::squareness;
 use hug_kit::rays;
 use std::fs::File;
 use std::io::BufWriter;
@@ -111,15 +112,12 @@ fn greys(mode: Mode, rays: &[Ray], traced: &Traced) -> Vec<u8> {
     }
 }
 
-/// A lamp at the eye; in `f64`, where no normal is too long.
+/// A lamp at the eye.
 fn shade(ray: &Ray, hit: &Hit) -> u8 {
     if !hit.is_hit() {
         return 30;
     }
-    let dot = |a: [f32; 3], b: [f32; 3]| (0..3).map(|k| f64::from(a[k]) * f64::from(b[k])).sum();
-    let (across, n, d): (f64, f64, f64) =
-        (dot(ray.dir, hit.ng), dot(hit.ng, hit.ng), dot(ray.dir, ray.dir));
-    (60.0 + 190.0 * across.abs() / (n * d).sqrt().max(f64::MIN_POSITIVE)) as u8
+    (60.0 + 190.0 * squareness(ray, hit)) as u8
 }
 
 fn write(path: &Path, size: u32, pixels: &[u8]) -> Result<(), String> {

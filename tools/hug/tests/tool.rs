@@ -147,6 +147,39 @@ fn errors_name_the_file_and_the_reason() {
     let said = refused(&["build", &wrong]);
     assert!(said.starts_with(&format!("{wrong}: ")) && said.contains("vertex"), "{said}");
 
+    let starts = |arguments: &[&str], with: &str| {
+        let said = refused(arguments);
+        assert!(said.starts_with(with) && said.lines().count() == 1, "{said}");
+    };
+    let garbage = [0x81u8, 0x00, 0xff, 0x0a].repeat(500);
+    for (name, bytes, reason) in [
+        ("nothing.ply", &[][..], "is empty"),
+        ("garbage.ply", &garbage, "does not begin as a PLY file does"),
+        ("garbage.hug", &garbage, "does not begin as a PLY file does"),
+        ("garbage.obj", &garbage, "is not text"),
+        ("header.ply", b"ply\nformat ascii 1.0\nelement vert", "Line 3: Couldn't parse line."),
+        ("no.obj", b"", "has no faces"),
+        ("word.obj", b"v 0 zero 0\n", "position parse error"),
+        ("far.obj", b"v 0 0 0\nf 1 2 3\n", "face vertex index out of bounds"),
+    ] {
+        let name = file(&folder, name, bytes);
+        starts(&["build", &name], &format!("{name}: {reason}"));
+        starts(&["render", &name], &format!("{name}: {reason}"));
+    }
+    let nan = fs::read_to_string(&scene).unwrap().replace("1 1 0\n", "1 nan 0\n");
+    let nan = file(&folder, "nan.ply", nan);
+    starts(&["build", &nan], &format!("{nan}: Line 12: Couldn't read element line."));
+    let mut filled = header("binary_little_endian").into_bytes();
+    filled.extend([0xff; 5 * 12]);
+    filled.extend(FACES.iter().flat_map(|_| [&[3u8][..], &[0; 12]].concat()));
+    let filled = file(&folder, "filled.ply", filled);
+    starts(&["build", &filled], &format!("{filled}: no finite vertex"));
+    let here = folder.to_str().expect("UTF-8");
+    starts(&["info", here], &format!("{here}: a folder, not a file"));
+    starts(&["build", &scene, "-o", here], &format!("{here}: "));
+    starts(&["render", &scene, "-o", "no such folder/x.png"], "no such folder/x.png: ");
+    starts(&["build", "nowhere.ply"], "nowhere.ply: no such file");
+
     let empty = file(&folder, "empty.obj", "v 0 0 0\n");
     assert!(refused(&["info", &empty]).starts_with(&format!("{empty}: has no faces")));
 

@@ -5,6 +5,7 @@ use hug_bench::clock;
 use hug_bench::figures::Spread;
 use hug_bench::load::Loaded;
 use hug_bench::rounds::{self, Contender};
+use hug_bench::shade::squareness;
 use hug_kit::rays;
 use std::hint::black_box;
 
@@ -46,10 +47,7 @@ fn shade(ray: &Ray, hit: &Hit) -> u8 {
     if !hit.is_hit() {
         return 255;
     }
-    let dot = |a: [f32; 3], b: [f32; 3]| (0..3).map(|k| f64::from(a[k]) * f64::from(b[k])).sum();
-    let (across, n, d): (f64, f64, f64) =
-        (dot(ray.dir, hit.ng), dot(hit.ng, hit.ng), dot(ray.dir, ray.dir));
-    (40.0 + 200.0 * across.abs() / (n * d).sqrt().max(f64::MIN_POSITIVE)) as u8
+    (40.0 + 200.0 * squareness(ray, hit)) as u8
 }
 
 /// What a picture cost in one structure.
