@@ -6,6 +6,7 @@
 //! points; a point lies in segments, and nothing lies in it.
 
 use super::frame::{Grid, Rule};
+use super::sort;
 use crate::aabb::Aabb;
 use crate::arena::layout::{GRID_BIT, Triangle};
 use crate::math::{exp, ln, ordered};
@@ -76,7 +77,7 @@ pub fn cover(segments: impl Iterator<Item = [f32; 2]>, room: &mut [u32]) -> f64 
     let (rest, points) = lower.split_at_mut(points);
     let (lower, upper) = (&mut rest[..count], &mut upper[..count]);
     for ends in [&mut *lower, &mut *upper, &mut *points] {
-        ends.sort_unstable();
+        sort::by_key(ends, &u64::from);
     }
     let inside = |ends| held(ends, lower, upper);
     let overlap = inside(lower) + inside(upper) + 2 * inside(points);

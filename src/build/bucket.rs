@@ -10,7 +10,6 @@ use super::overlap::{Range, voxels};
 use super::turn::{Turn, place};
 use crate::Error;
 use crate::arena::layout::{GRID_BIT, Triangle};
-use core::borrow::Borrow;
 
 /// Ends a chain of objects.
 const NONE: u32 = u32::MAX;
@@ -34,10 +33,10 @@ pub struct Buckets<'a> {
 impl<'a> Buckets<'a> {
     /// Notes which voxels objects meet, and how many there are for each voxel. `starts`:
     /// where each object's part of the stream begins, of as many as there is room for.
-    pub fn find<T: Borrow<Triangle>>(
+    pub fn find(
         &mut self,
         objects: &[u32],
-        triangle: impl Fn(u32) -> T,
+        triangle: impl Fn(u32) -> Triangle,
         starts: &mut [u32],
         (max_refs, crowded): (u32, Crowded),
         control: &mut Control<'_>,
@@ -67,7 +66,7 @@ impl<'a> Buckets<'a> {
                     end += 1;
                 };
                 let looked_at = if object & GRID_BIT == 0 {
-                    voxels(triangle(object).borrow(), &grid, near.as_ref(), visit)
+                    voxels(&triangle(object), &grid, near.as_ref(), visit)
                 } else {
                     let [lo, hi] = place(self.grids, self.turns, (object & !GRID_BIT) as usize);
                     Range::of(&grid, lo, hi).map_or(1, |range| {

@@ -10,8 +10,10 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::control::Control;
+use super::sort;
 use crate::Error;
 use crate::aabb::Aabb;
+use crate::math::ordered;
 
 /// A range of the index array that is still to be looked at.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -61,10 +63,7 @@ pub fn cluster(
         control.tick(end - start, settled, order.len())?;
         let k = axis as usize;
         let range = &mut order[start..end];
-        range.sort_unstable_by(|&a, &b| {
-            let low = |i: u32| boxes[i as usize].lo[k];
-            low(a).total_cmp(&low(b)).then(a.cmp(&b))
-        });
+        sort::by_key(range, &|i| u64::from(ordered(boxes[i as usize].lo[k])) << 32 | u64::from(i));
         let next_axis = (axis + 1) % 3;
         let (mut run, mut reach) = (start, f64::NEG_INFINITY);
         for i in start..end {

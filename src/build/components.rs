@@ -19,6 +19,7 @@
 
 use super::control::Control;
 use super::scratch::cut;
+use super::sort;
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::math::ordered;
@@ -47,7 +48,7 @@ pub fn components(
         let root = find(parent, i);
         parent[i as usize] = root;
     }
-    sort(order, &|i| u64::from(parent[i as usize]) << 32 | u64::from(i));
+    sort::by_key(order, &|i| u64::from(parent[i as usize]) << 32 | u64::from(i));
     let mut start = 0;
     for same in order.chunk_by(|&a, &b| parent[a as usize] == parent[b as usize]) {
         found(order, start..start + same.len());
@@ -75,10 +76,6 @@ pub fn pairs(
     let mut search = Search { boxes, parent: &mut [], pairs: Pairs::default(), control, done: 0 };
     search.all(order, room)?;
     Ok(search.pairs)
-}
-
-fn sort(objects: &mut [u32], key: &dyn Fn(u32) -> u64) {
-    objects.sort_unstable_by_key(|&i| key(i));
 }
 
 /// Moves those that pass to the front; how many there are.
@@ -236,8 +233,8 @@ impl Search<'_, '_> {
 
     /// Pairs of which the first ends, along z, before the second begins.
     fn below(&self, a: &mut [u32], b: &mut [u32]) -> u64 {
-        sort(a, &|i| self.high(2, i));
-        sort(b, &|i| self.low(2, i));
+        sort::by_key(a, &|i| self.high(2, i));
+        sort::by_key(b, &|i| self.low(2, i));
         let (mut count, mut sum) = (0, 0);
         for &j in &*b {
             let low = self.boxes[j as usize].lo[2];
@@ -250,8 +247,8 @@ impl Search<'_, '_> {
     /// Upwards along z: a box is united with those of the other group that have begun and
     /// have not ended.
     fn sweep_united(&mut self, a: &mut [u32], b: &mut [u32]) {
-        sort(a, &|i| self.low(2, i));
-        sort(b, &|i| self.low(2, i));
+        sort::by_key(a, &|i| self.low(2, i));
+        sort::by_key(b, &|i| self.low(2, i));
         let groups = [&*a, &*b];
         let (mut next, mut fresh, mut farthest) = ([0, 0], [0, 0], [None; 2]);
         loop {

@@ -201,12 +201,9 @@ impl<'s> Draft<'s> {
         let limits = (self.max_refs, crowded);
         let triangle = |object: u32| &soup.triangles[object as usize];
         let turn = self.turns.get(number).filter(|_| buckets.grids[number].is_turned());
-        if let Some(turn) = turn {
-            let local = |object| turn.local(triangle(object));
-            buckets.find(objects, local, starts, limits, control)?;
-        } else {
-            buckets.find(objects, triangle, starts, limits, control)?;
-        }
+        let seen =
+            |object: u32| turn.map_or(*triangle(object), |turn| turn.local(triangle(object)));
+        buckets.find(objects, seen, starts, limits, control)?;
         buckets.order(starts, next, order);
         let refs = buckets.open()?;
         // The stream has the grids behind the triangle that was last before.
@@ -247,7 +244,7 @@ impl<'s> Draft<'s> {
             stream: self.stream,
         };
         let limits = (self.max_refs, Crowded::Coarsen);
-        let triangle = |object: u32| &soup.triangles[order[object as usize] as usize];
+        let triangle = |object: u32| soup.triangles[order[object as usize] as usize];
         buckets.find(objects, triangle, &mut [], limits, control)?;
         let refs = buckets.open()?;
         let mut start = 0;

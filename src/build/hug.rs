@@ -12,6 +12,7 @@ use super::frame::{Grid, Rule};
 use super::hierarchy::link;
 use super::orient;
 use super::scratch::Scratch;
+use super::sort;
 use super::uniform::{inner_rule, outer_crowded, outer_rule};
 use crate::Error;
 use crate::aabb::Aabb;
@@ -146,7 +147,7 @@ fn clusters(
     }
     for &[start, end] in &ranges[first..number] {
         let members = &mut order[start as usize..end as usize];
-        members.sort_unstable();
+        sort::by_key(members, &u64::from);
         let mut b = Aabb::EMPTY;
         for &i in members.iter() {
             b.join(&boxes[i as usize]);

@@ -34,6 +34,7 @@ mod reach;
 mod recursive;
 mod rows;
 mod scratch;
+mod sort;
 mod stretch;
 mod survey;
 mod turn;
