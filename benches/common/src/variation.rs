@@ -1,7 +1,7 @@
 //! What may follow the name of a structure: options that the paper has no letter for, each after
 //! a plus sign, as in `u.f2.sqrt2+components+min=8`.
 
-use hug::{Clustering, Filter, Gridding, Hierarchy, Options};
+use hug::{Clustering, Filter, Gridding, Hierarchy, Options, Orientation};
 use std::fmt;
 use std::str::FromStr;
 
@@ -12,6 +12,8 @@ pub struct Variation {
     gridding: Option<Gridding>,
     power: Option<f32>,
     hierarchy: Option<Hierarchy>,
+    orientation: Option<Orientation>,
+    turn_below: Option<f32>,
     min_cluster: Option<u32>,
     share: Option<f32>,
     alpha: Option<f32>,
@@ -32,10 +34,18 @@ const GRIDDINGS: [(&str, Gridding); 4] = [
 const HIERARCHIES: [(&str, Hierarchy); 2] =
     [("nested", Hierarchy::Nested), ("paper", Hierarchy::Paper)];
 
+const ORIENTATIONS: [(&str, Orientation); 4] = [
+    ("aligned", Orientation::Aligned),
+    ("vertices", Orientation::Vertices),
+    ("hull", Orientation::Hull),
+    ("search", Orientation::Search),
+];
+
 const STEPS: [(&str, bool); 2] = [("exit", true), ("plain", false)];
 
 const FORMS: &str = "projections, components, proportional, homogeneous, overlap, mixed, nested, \
-                     paper, exit, plain, or power, min, share, alpha, world = a number";
+                     paper, aligned, vertices, hull, search, exit, plain, or power, min, share, \
+                     alpha, world, turn = a number";
 
 fn of<T: Copy>(list: &[(&str, T)], name: &str) -> Option<T> {
     list.iter().find(|known| known.0 == name).map(|known| known.1)
@@ -61,6 +71,8 @@ impl Variation {
             gridding: self.gridding.unwrap_or(options.gridding),
             overlap_power: self.power.unwrap_or(options.overlap_power),
             hierarchy: self.hierarchy.unwrap_or(options.hierarchy),
+            orientation: self.orientation.unwrap_or(options.orientation),
+            turn_below: self.turn_below.unwrap_or(options.turn_below),
             min_cluster: self.min_cluster.unwrap_or(options.min_cluster),
             filter: self.share.map_or(options.filter, Filter::TwoLevels),
             alpha: self.alpha.unwrap_or(options.alpha),
@@ -75,10 +87,12 @@ impl Variation {
             self.clustering = of(&CLUSTERINGS, item).or(self.clustering);
             self.gridding = of(&GRIDDINGS, item).or(self.gridding);
             self.hierarchy = of(&HIERARCHIES, item).or(self.hierarchy);
+            self.orientation = of(&ORIENTATIONS, item).or(self.orientation);
             self.exit_boxes = of(&STEPS, item).or(self.exit_boxes);
             let known = of(&CLUSTERINGS, item).is_some()
                 || of(&GRIDDINGS, item).is_some()
                 || of(&HIERARCHIES, item).is_some()
+                || of(&ORIENTATIONS, item).is_some()
                 || of(&STEPS, item).is_some();
             return known.then_some(());
         };
@@ -87,6 +101,7 @@ impl Variation {
         match key {
             "min" => self.min_cluster = Some(value.parse().ok().filter(|_| plain)?),
             "power" => self.power = Some(number()?),
+            "turn" => self.turn_below = Some(number()?),
             "share" => self.share = Some(number()?),
             "alpha" => self.alpha = Some(number()?),
             "world" => self.world_alpha = Some(number()?),
@@ -116,6 +131,7 @@ impl fmt::Display for Variation {
             self.clustering.map(|c| name(&CLUSTERINGS, &c)),
             self.gridding.map(|g| name(&GRIDDINGS, &g)),
             self.hierarchy.map(|h| name(&HIERARCHIES, &h)),
+            self.orientation.map(|o| name(&ORIENTATIONS, &o)),
             self.exit_boxes.map(|e| name(&STEPS, &e)),
         ];
         words.into_iter().flatten().try_for_each(|word| write!(f, "+{word}"))?;
@@ -124,6 +140,7 @@ impl fmt::Display for Variation {
         }
         let numbers = [
             ("power", self.power),
+            ("turn", self.turn_below),
             ("share", self.share),
             ("alpha", self.alpha),
             ("world", self.world_alpha),
