@@ -137,7 +137,7 @@ impl Frame {
 
     /// A place relative to the origin of these coordinates.
     #[inline(always)]
-    pub fn from_origin(&self, p: [f64; 3]) -> [f64; 3] {
+    pub fn relative(&self, p: [f64; 3]) -> [f64; 3] {
         [p[0] - self.origin[0], p[1] - self.origin[1], p[2] - self.origin[2]]
     }
 }

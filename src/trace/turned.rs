@@ -38,14 +38,14 @@ impl<L: Lanes> Kernel<L> for &Turned<'_, L> {
     fn run(self, l: L) -> Option<Local<L>> {
         let Turned { grid, frame, course, ray, range: [t0, t1] } = *self;
         let exact = course.exact(ray);
-        let mut from = frame.from_origin(exact[0]);
+        let mut from = frame.relative(exact[0]);
         let mut part = Part::new(t0, t1);
         let cell = DVec3::from_array(grid.cell.map(f64::from));
         let reach = cell.min_element() * REACH;
         if l.any_beyond(load(l, from), reach) {
             let goal = around(grid, frame, cell, reach);
             let moved = rebase(&goal, &exact, t0, t1)?;
-            let corner = frame.from_origin(goal.lo.to_array());
+            let corner = frame.relative(goal.lo.to_array());
             from = [0, 1, 2].map(|k| moved.o[k] + corner[k]);
             part = moved.part;
         }

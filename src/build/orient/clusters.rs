@@ -7,6 +7,7 @@ use crate::build::draft::Draft;
 use crate::build::frame::Grid;
 use crate::build::turn::Turn;
 use crate::options::Options;
+use core::cmp::Ordering;
 use glam::DVec3;
 
 /// Turns the grids of clusters that have no grids below and are the better for it. What
@@ -20,8 +21,7 @@ pub fn clusters(
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let total = draft.grids().len();
-    for number in 1..total {
-        let [start, end] = ranges[number];
+    for (number, &[start, end]) in ranges.iter().enumerate().take(total).skip(1) {
         let members = &order[start as usize..end as usize];
         control.tick(members.len(), number, total)?;
         let below = links.partition_point(|link| (link[0] as usize) < number);
@@ -51,8 +51,8 @@ fn oriented(
     let around = ends(&turned, points.clone());
     let plain = ends(&[DVec3::X, DVec3::Y, DVec3::Z], points);
     let share = f64::from(options.turn_below);
-    // No NaN passes, nor what is too small to turn in `f32`.
-    if !(surface(around) < share * surface(plain)) {
+    // No NaN is less.
+    if surface(around).partial_cmp(&(share * surface(plain))) != Some(Ordering::Less) {
         return None;
     }
     let turn = Turn::new(&turned, origin, aligned);

@@ -47,7 +47,7 @@ impl Bounds {
         if !half.iter().chain(&middle).all(|x| x.is_finite()) {
             return Self::EVERYWHERE;
         }
-        let from = frame.from_origin(middle);
+        let from = frame.relative(middle);
         let middle = frame.turn(from);
         let far = from.iter().fold(0.0f64, |far, x| far.max(x.abs()));
         let reach: [f64; 3] = core::array::from_fn(|k| {
@@ -107,7 +107,7 @@ impl<'a> Frame<'a> {
         let mut frame = Self { grid, cell, p: *p, at: [0; 3], part, turned: None };
         if grid.flags & TURNED != 0 {
             let own = sections.frame(number);
-            frame.p = own.turn(own.from_origin(*p));
+            frame.p = own.turn(own.relative(*p));
             frame.part = part.turned(own);
             frame.turned = Some(part);
         }
