@@ -1,9 +1,11 @@
 //! The page: everything in one file.
 
+mod oriented;
 mod selected;
 
 use crate::claims::{self, Claim};
 use crate::measure::{Built, CLASSES, SHARE, Subject};
+use crate::oriented::Oriented;
 use crate::pictures::{Gallery, heat, slice};
 use crate::plots::distribution::Distribution;
 use crate::selected::Comparison;
@@ -20,18 +22,20 @@ pub struct Report {
     pub page: String,
     pub sheets: Vec<Sheet>,
     pub gallery: Gallery,
-    /// The plots of the selected results, by name.
+    /// The plots of section 7, by name.
     pub plots: Vec<(String, String)>,
 }
 
 impl Report {
-    /// Of scenes whose instruments were read, and of those whose structures were compared.
+    /// Of scenes whose instruments were read, of those whose clusters were turned, and of those
+    /// whose structures were compared.
     pub fn new(
         subjects: &[Subject],
+        oriented: &[Oriented],
         comparisons: &[Comparison],
         command: &str,
     ) -> Result<Self, String> {
-        let judged: Vec<Claim> = claims::all(subjects, comparisons);
+        let judged: Vec<Claim> = claims::all(subjects, oriented, comparisons);
         let mut sheets = vec![claims::sheet(&judged)];
         let claims = sheets[0].page();
         let lengths = (!subjects.is_empty()).then(|| lengths::sheet(subjects));
@@ -41,6 +45,7 @@ impl Report {
             sections.push(section(subject, &mut sheets, &mut gallery)?);
         }
         let mut plots = Vec::new();
+        let boxes = oriented::section(oriented, &mut sheets, &mut plots)?;
         let selected = selected::section(comparisons, &mut sheets, &mut plots)?;
         let title = "hug: the paper's instruments";
         let page = html! {
@@ -60,10 +65,12 @@ impl Report {
                     (reading())
                     nav { a href="#claims" { "claims" } @for s in subjects {
                         " " a href={ "#" (s.short) } { (s.loaded.name) }
-                    } @if !comparisons.is_empty() { " " a href="#selected" { "selected results" } } }
+                    } @if !oriented.is_empty() { " " a href="#oriented" { "clusters' orientation" } }
+                    @if !comparisons.is_empty() { " " a href="#selected" { "selected results" } } }
                     @for table in &scenes { section { h2 { "Scenes" } (table) } }
                     section #claims { h2 { "Claims" } (claims) }
                     @for section in &sections { (section) }
+                    (boxes)
                     (selected)
                 }
             }
