@@ -109,18 +109,20 @@ fn hull(all: &[Oriented]) -> Claim {
 }
 
 fn rays(all: &[Oriented]) -> Claim {
-    let what = "Boxes of less surface reduce the grids that rays enter, but not the polygons that \
-                they test";
-    let paper = "\"one can only expect to reduce the number of ray-box intersection tests\"";
+    let what = "Boxes of less surface reduce ray-box tests, but not ray-polygon tests";
+    let paper = "\"one can only expect\" it";
     let mut found = Vec::new();
     for scene in all {
         for clustered in &scene.clusterings {
             let Some(turned) = clustered.along("search") else { continue };
             for (set, rays) in SETS.iter().enumerate() {
-                let (plain, after) = (&clustered.aligned[set], &turned.steps[set]);
-                if plain.clusters > 0.0 && after.clusters > 0.0 && plain.tests > 0.0 {
-                    let name = format!("{}.{}, {rays}", scene.short, clustered.notation);
-                    found.push((name, *plain, *after));
+                let (plain, after) = (clustered.aligned[set], turned.steps[set]);
+                if [plain, after].iter().all(|s| s.met > 0.0 && s.tests > 0.0) {
+                    found.push((
+                        format!("{}.{}, {rays}", scene.short, clustered.notation),
+                        plain,
+                        after,
+                    ));
                 }
             }
         }
@@ -132,23 +134,29 @@ fn rays(all: &[Oriented]) -> Claim {
         let sum: f64 = found.iter().map(|(_, a, b)| (of(b) / of(a)).ln()).sum();
         (sum / found.len() as f64).exp()
     };
-    let (clusters, voxels, tests) = (mean(|s| s.clusters), mean(|s| s.voxels), mean(|s| s.tests));
+    let [met, grids, voxels, tests] =
+        [mean(|s| s.met), mean(|s| s.grids), mean(|s| s.voxels), mean(|s| s.tests)];
     Claim {
         what,
         paper,
         ours: format!(
-            "{} times the grids of clusters entered, {} times the tests",
-            number(clusters),
+            "{} times the box tests, {} times those of polygons",
+            number(grids),
             number(tests)
         ),
-        verdict: Verdict::of(clusters <= 0.97 && tests >= 0.97, clusters <= 0.99),
+        verdict: Verdict::of(grids <= 0.97 && tests >= 0.97, met <= 0.97),
         reason: format!(
             "search, a box turned if it has less than 0.8 of the surface, over aligned; geometric \
-             means; voxels: {}; grids of clusters a ray: {}",
+             means. The grid above refers to a turned box wherever the aligned one is, so it is \
+             tested as often; clusters' boxes met on the way to the hit: {} times, voxels: {}; \
+             boxes met a ray: {}",
+            number(met),
             number(voxels),
-            list(found.iter().map(|(name, a, b)| {
-                format!("{name} {} to {}", number(a.clusters), number(b.clusters))
-            }))
+            list(
+                found.iter().map(|(name, a, b)| {
+                    format!("{name} {} to {}", number(a.met), number(b.met))
+                })
+            )
         ),
     }
 }

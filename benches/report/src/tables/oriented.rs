@@ -51,15 +51,17 @@ fn rays(scene: &Oriented) -> Sheet {
         "grids",
         "% turned",
         "rays",
-        "grids a ray",
-        "of clusters",
+        "boxes met",
+        "box tests",
         "voxels",
         "tests",
     ];
     let title = format!("{}: rays, where clusters are turned if it pays", scene.name);
     let mut sheet = Sheet::new(file(scene, "turned_rays"), title, &head).noted(
         "A cluster is turned if its box then has less than 0.8 of the aligned one's surface, as \
-         by default. Steps of one voxel; counted, a ray.",
+         by default. Counted, a ray, with steps of one voxel. Boxes met: those of clusters on the \
+         way to the hit, each once. Box tests are the walk's: the grid above refers to a cluster \
+         wherever its aligned box is.",
     );
     for clustered in &scene.clusterings {
         let aligned = ("aligned", 0, &clustered.aligned);
@@ -77,8 +79,8 @@ fn row(clustered: &Clustered, along: &str, kept: usize, rays: &str, steps: &Step
     let share = 100.0 * kept as f64 / clustered.clusters.max(1) as f64;
     let count = Cell::from(clustered.clusters as u64);
     let mut cells = vec![clustered.notation.into(), along.into(), count, share.into(), rays.into()];
-    let Steps { grids, clusters, voxels, tests } = *steps;
-    cells.extend([grids, clusters, voxels, tests].map(Cell::from));
+    let Steps { met, grids, voxels, tests } = *steps;
+    cells.extend([met, grids, voxels, tests].map(Cell::from));
     cells
 }
 
