@@ -32,7 +32,7 @@ pub struct Args {
     pub part: Vec<Part>,
     /// What the selected results set beside recursive grids of MAXP from 10 to 1000: a structure,
     /// ALPHA in it for each of several subdivisions of the world; again or with commas.
-    /// u.f2.ALPHA, u.f3.ALPHA, g and auto unless given
+    /// u.f2.ALPHA, u.f3.ALPHA, u.f2.ALPHA+components, g and auto unless given
     #[arg(long, value_delimiter = ',')]
     pub curve: Vec<Curve>,
     /// Pixels along each side of a picture; the paper's had 250

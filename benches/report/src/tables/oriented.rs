@@ -60,7 +60,7 @@ fn rays(scene: &Oriented) -> Sheet {
     let mut sheet = Sheet::new(file(scene, "turned_rays"), title, &head).noted(
         "A cluster is turned if its box then has less than 0.8 of the aligned one's surface, as \
          by default. Counted, a ray, with steps of one voxel. Boxes met: those of clusters on the \
-         way to the hit, each once. Box tests are the walk's: the grid above refers to a cluster \
+         way to the hit, each once, of up to 16,384 rays. Box tests are the walk's: the grid above refers to a cluster \
          wherever its aligned box is.",
     );
     for clustered in &scene.clusterings {
