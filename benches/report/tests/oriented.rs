@@ -61,7 +61,7 @@ fn rays_and_turned_boxes() {
     let half = 0.5_f64.sqrt();
     let axes = [[half, half, 0.0], [-half, half, 0.0], [0.0, 0.0, 1.0]];
     let turned = GridShape { frame: Some(GridFrame { axes, origin: [0.0; 3] }), ..straight };
-    let at = |x: f32| Ray { org: [x, -5.0, 0.25], dir: [0.0, 1.0, 0.0], ..Ray::default() };
+    let at = |x: f32| Ray::new([x, -5.0, 0.25], [0.0, 1.0, 0.0]);
     let both = |ray: &Ray, end: f64| [&straight, &turned].map(|shape| meets(shape, ray, end));
     assert_eq!(both(&at(0.0), 100.0), [true, true]);
     // Past the cube's side, but not past the corner that points this way.
