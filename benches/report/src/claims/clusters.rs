@@ -129,8 +129,9 @@ fn overlap(e: &Evidence<'_>) -> Claim {
 }
 
 fn memory(e: &Evidence<'_>) -> Claim {
-    let what = "The new clustering needs as much memory as the recursive grid, by fragmentation";
-    let paper = "\"as much memory\"";
+    let what = "The new clustering needs more memory to build than the initial one: as much as the \
+                recursive grid";
+    let paper = "\"memory fragmentation\"";
     let needs = |s: &Subject, options: Options| build::measure(&s.loaded.soup(), &options).ok();
     let of = |s: &Subject| {
         let old = needs(s, HUG())?;

@@ -9,6 +9,9 @@ const FLAT: f64 = 1.0 / 65536.0;
 /// Ratios nearer to 1 than this are 1: boxes are rounded.
 const SAME: f64 = 1e-3;
 
+/// One figure of a cluster's boxes.
+pub type Measure = fn(&Ratios) -> Option<f64>;
+
 /// A cluster's turned box over its aligned one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ratios {

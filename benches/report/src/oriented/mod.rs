@@ -5,7 +5,7 @@
 pub mod boxes;
 pub mod steps;
 
-pub use boxes::Ratios;
+pub use boxes::{Measure, Ratios};
 pub use steps::Steps;
 
 use crate::measure::{Frame, VIEWS};
@@ -103,7 +103,7 @@ impl Clustered {
 
 impl Turned {
     /// One figure of all clusters that have it.
-    pub fn all(&self, of: fn(&Ratios) -> Option<f64>) -> Vec<f64> {
+    pub fn all(&self, of: Measure) -> Vec<f64> {
         self.boxes.iter().flatten().filter_map(of).collect()
     }
 }

@@ -1,8 +1,9 @@
 //! Section 7.2 on the page: figure 25.
 
-use super::{percentages, shown};
+use super::charts::percentages;
+use super::shown;
 use crate::oriented::boxes::{START, WIDTH, histogram};
-use crate::oriented::{Clustered, Oriented, Ratios, Turned};
+use crate::oriented::{Clustered, Measure, Oriented, Turned};
 use crate::plots::distribution::Distribution;
 use crate::run::PLOTS;
 use crate::sheet::Sheet;
@@ -68,7 +69,7 @@ fn chart(
     clustered: &Clustered,
     turned: &Turned,
     measure: &str,
-    of: fn(&Ratios) -> Option<f64>,
+    of: Measure,
     plots: &mut Vec<(String, String)>,
 ) -> Result<Markup, String> {
     let ratios = turned.all(of);

@@ -1,12 +1,12 @@
 //! Figure 25 as tables, and what rays gain.
 
 use crate::oriented::boxes::{CLASSES, START, WIDTH, beside_one, histogram, median};
-use crate::oriented::{Clustered, Oriented, Ratios, Steps, Turned};
+use crate::oriented::{Clustered, Measure, Oriented, Steps, Turned};
 use crate::selected::SETS;
 use crate::sheet::{Cell, Sheet};
 
 /// The measures of a box, and how to read them off.
-pub const MEASURES: [(&str, fn(&Ratios) -> Option<f64>); 2] =
+pub const MEASURES: [(&str, Measure); 2] =
     [("surface", |ratios| ratios.surface), ("volume", |ratios| ratios.volume)];
 
 /// Of the tables on the page; the first of them is short, the last what the plots are drawn from.
