@@ -26,13 +26,13 @@ pub struct Args {
     /// One scene in one structure, as kit.u.f3.sqrt2 or csbc.r50; again or with commas
     #[arg(long, value_delimiter = ',')]
     pub config: Vec<Configuration>,
-    /// What to make; both unless given. The selected results have structures of their own, so
-    /// with --structure or --config only the instruments are made
+    /// What to make; all unless given. The boxes and the selected results have structures of
+    /// their own, so with --structure or --config only the instruments are made
     #[arg(long, value_enum, value_delimiter = ',')]
     pub part: Vec<Part>,
     /// What the selected results set beside recursive grids of MAXP from 10 to 1000: a structure,
     /// ALPHA in it for each of several subdivisions of the world; again or with commas.
-    /// u.f2.ALPHA, u.f3.ALPHA, g and auto unless given
+    /// u.f2.ALPHA, u.f3.ALPHA, u.f2.ALPHA+components, g and auto unless given
     #[arg(long, value_delimiter = ',')]
     pub curve: Vec<Curve>,
     /// Pixels along each side of a picture; the paper's had 250
@@ -51,6 +51,8 @@ pub struct Args {
 pub enum Part {
     /// Sections 2 to 6: tables, charts, pictures, call costs
     Instruments,
+    /// Section 7.2: turned boxes of clusters, figure 25
+    Boxes,
     /// Section 7.5: time and memory of HUGs and recursive grids
     Selected,
 }
@@ -81,6 +83,11 @@ impl Args {
             return Err("--part selected: name its structures by --curve, not by --structure or \
                         --config"
                 .into());
+        }
+        if own && self.part.contains(&Part::Boxes) {
+            return Err(
+                "--part boxes: its structures are given, so no --structure or --config".into()
+            );
         }
         if !self.curve.is_empty() && !self.wants(Part::Selected) {
             return Err("--curve: only for --part selected".into());

@@ -2,6 +2,7 @@
 
 use crate::args::{Args, Part};
 use crate::measure::Subject;
+use crate::oriented::Oriented;
 use crate::page::Report;
 use crate::progress::Progress;
 use crate::selected::{Comparison, curves};
@@ -11,7 +12,7 @@ use std::path::PathBuf;
 /// The folders of the CSV files and of the pictures, beside the page.
 pub const TABLES: &str = "tables";
 const PICTURES: &str = "pictures";
-/// The folder of the plots of the selected results.
+/// The folder of the plots of section 7.
 pub const PLOTS: &str = "plots";
 
 /// Measures and writes; the path of the page.
@@ -22,11 +23,14 @@ pub fn run(args: &Args, command: &str) -> Result<PathBuf, String> {
     // Before anything that takes time.
     fs::create_dir_all(&args.out).map_err(failed)?;
     let bar = Progress::new(args.quiet);
-    let (mut subjects, mut comparisons) = (Vec::new(), Vec::new());
+    let (mut subjects, mut oriented, mut comparisons) = (Vec::new(), Vec::new(), Vec::new());
     for job in args.jobs() {
         bar.at(&job.scene);
         if args.wants(Part::Instruments) {
             subjects.push(Subject::measure(&job, args.size, args.rounds, &bar)?);
+        }
+        if args.wants(Part::Boxes) {
+            oriented.push(Oriented::measure(&job.scene, args.size, &bar)?);
         }
         if args.wants(Part::Selected) {
             let scene = &job.scene;
@@ -34,7 +38,7 @@ pub fn run(args: &Args, command: &str) -> Result<PathBuf, String> {
         }
     }
     bar.finish();
-    let report = Report::new(&subjects, &comparisons, command)?;
+    let report = Report::new(&subjects, &oriented, &comparisons, command)?;
     let tables = args.out.join(TABLES);
     fs::create_dir_all(&tables).map_err(failed)?;
     for sheet in &report.sheets {

@@ -121,6 +121,7 @@ fn parts_and_structures_that_do_not_go_together() {
     for wrong in [
         &["--part", "selected", "--structure", "r50"][..],
         &["--part", "instruments,selected", "--config", "kit.r50"],
+        &["--part", "boxes", "--structure", "r50"],
         &["--structure", "r50", "--curve", "g"],
         &["--part", "instruments", "--curve", "g"],
     ] {

@@ -1,5 +1,8 @@
 //! `hug count`: what section 7's options change, counted, so that it is the same on every machine.
 
+mod means;
+
+use self::means::Means;
 use crate::args::{Count, Named};
 use crate::input;
 use hug::build::Survey;
@@ -16,6 +19,7 @@ pub const VARIANTS: &str = "auto,recursive,uniform,uniform+overlap,uniform+mixed
 const SETS: [Set; 2] = [Set::Primary, Set::Random];
 
 pub fn run(args: &Count) -> Result<(), String> {
+    let mut means = Means::default();
     for name in &args.scene {
         let loaded = input::load(name, args.quiet)?;
         let advised = advice(&loaded)?;
@@ -30,9 +34,16 @@ pub fn run(args: &Count) -> Result<(), String> {
         let mut table = Table::new(head.into_iter().chain(figures));
         for named in args.structure.iter().chain([&advised]) {
             let (scene, _) = input::build(&loaded, &named.options, 1, args.quiet)?;
-            table.row(row(named, &scene, &sets));
+            let counted = Counted::of(&scene, &sets);
+            table.row(row(&named.name, &counted));
+            // What is advised is another structure for every scene, but one way to choose it.
+            let advice = std::ptr::eq(named, &advised);
+            means.add(if advice { "advised" } else { &named.name }, &counted);
         }
         table.print();
+    }
+    if args.scene.len() > 1 {
+        means.print(args.scene.len());
     }
     Ok(())
 }
@@ -85,24 +96,49 @@ fn advice(loaded: &Loaded) -> Result<Named, String> {
     Ok(Named { name, options: advice.options(Options::default()) })
 }
 
-fn row(named: &Named, scene: &Scene, sets: &RaySets) -> Vec<String> {
-    let view = scene.view();
-    let stats = Stats::of(&view);
-    let mut cells = vec![
-        named.name.clone(),
-        format!("{:.1}", 100.0 * stats.total.volume),
-        stats.total.grids.to_string(),
-        stats.total.pointers().to_string(),
-        format!("{:.1}", stats.bytes as f64 / stats.triangles.max(1) as f64),
-    ];
-    for set in SETS {
-        let counted = count(&view, sets.get(set));
-        cells.extend(counted.map(|x| format!("{x:.2}")));
+/// What was counted of a structure.
+struct Counted {
+    stats: Stats,
+    /// Grids of these, turned.
+    turned: usize,
+    /// Grids tested, voxels traversed and triangles tested, a ray of each of [`SETS`].
+    rays: [[f64; 3]; SETS.len()],
+}
+
+impl Counted {
+    fn of(scene: &Scene, sets: &RaySets) -> Self {
+        let view = scene.view();
+        let shapes = (0..view.grid_count()).filter_map(|number| view.grid_shape(number));
+        Self {
+            stats: Stats::of(&view),
+            turned: shapes.filter(|shape| shape.frame.is_some()).count(),
+            rays: SETS.map(|set| count(&view, sets.get(set))),
+        }
     }
+
+    /// Of the arena.
+    fn bytes(&self) -> f64 {
+        self.stats.bytes as f64 / self.stats.triangles.max(1) as f64
+    }
+}
+
+fn row(name: &str, counted: &Counted) -> Vec<String> {
+    let total = &counted.stats.total;
+    let turned = match counted.turned {
+        0 => String::new(),
+        n => format!(", {n} turned"),
+    };
+    let mut cells = vec![
+        name.to_owned(),
+        format!("{:.1}", 100.0 * total.volume),
+        format!("{}{turned}", total.grids),
+        total.pointers().to_string(),
+        format!("{:.1}", counted.bytes()),
+    ];
+    cells.extend(counted.rays.iter().flatten().map(|x| format!("{x:.2}")));
     cells
 }
 
-/// Grids entered, voxels traversed and tests made, a ray.
 fn count(view: &View<'_>, rays: &[Ray]) -> [f64; 3] {
     let mut sum = Counters::default();
     for ray in rays {

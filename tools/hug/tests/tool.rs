@@ -233,6 +233,15 @@ fn counts() {
     assert!(components[0] < projections[0] && components[1] > projections[1], "{text}");
     assert_eq!(row("uniform+overlap")[1], 1.0, "{text}");
     assert!(text.contains("| advised: TwoLevels(0.05), Components |"), "{text}");
+    let structures = "hug+components,hug+components+search+turn=1";
+    let given = ["count", "kitchen", "clustered:900", "-q", "--size", "8"];
+    let text = printed(&[&given[..], &["--structure", structures]].concat());
+    assert!(text.contains(" turned |"), "{text}");
+    let (_, means) = text.split_once("geometric means over 2 scenes").expect(&text);
+    let all: Vec<&str> = means.lines().filter(|line| line.starts_with('|')).collect();
+    assert_eq!(all.len(), 2 + 3, "{text}");
+    assert_eq!(all[2].matches(" 1.00 ").count(), 6, "the first against itself: {text}");
+    assert!(all[4].starts_with("| advised "), "{text}");
     let error = refused(&["count", "kitchen", "-q", "--structure", "hug+island"]);
     assert!(error.contains("+island: unknown"), "{error}");
 }

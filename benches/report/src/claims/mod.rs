@@ -4,10 +4,12 @@ mod calls;
 mod clusters;
 mod costs;
 mod occupancy;
+mod oriented;
 mod selected;
 mod time;
 
 use crate::measure::{Built, Subject};
+use crate::oriented::Oriented;
 use crate::selected::Comparison;
 use crate::sheet::{Cell, Sheet};
 
@@ -77,12 +79,15 @@ impl<'a> Evidence<'a> {
 }
 
 /// Those of the parts that were measured.
-pub fn all(subjects: &[Subject], comparisons: &[Comparison]) -> Vec<Claim> {
+pub fn all(subjects: &[Subject], boxes: &[Oriented], comparisons: &[Comparison]) -> Vec<Claim> {
     let mut claims = Vec::new();
     if !subjects.is_empty() {
         let evidence = Evidence(subjects);
         let all = [occupancy::claims, calls::claims, costs::claims, time::claims, clusters::claims];
         claims.extend(all.into_iter().flat_map(|claims| claims(&evidence)));
+    }
+    if !boxes.is_empty() {
+        claims.extend(oriented::claims(boxes));
     }
     if !comparisons.is_empty() {
         claims.extend(selected::claims(comparisons));

@@ -1,15 +1,16 @@
 //! The page: everything in one file.
 
+mod charts;
+mod oriented;
 mod selected;
 
 use crate::claims::{self, Claim};
-use crate::measure::{Built, CLASSES, SHARE, Subject};
+use crate::measure::{Built, Subject};
+use crate::oriented::Oriented;
 use crate::pictures::{Gallery, heat, slice};
-use crate::plots::distribution::Distribution;
 use crate::selected::Comparison;
 use crate::sheet::Sheet;
 use crate::tables::{costs, lengths, occupancy, performance, rendering};
-use hug::cumulated;
 use hug_bench::machine;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -20,18 +21,20 @@ pub struct Report {
     pub page: String,
     pub sheets: Vec<Sheet>,
     pub gallery: Gallery,
-    /// The plots of the selected results, by name.
+    /// The plots of section 7, by name.
     pub plots: Vec<(String, String)>,
 }
 
 impl Report {
-    /// Of scenes whose instruments were read, and of those whose structures were compared.
+    /// Of scenes whose instruments were read, of those whose clusters were turned, and of those
+    /// whose structures were compared.
     pub fn new(
         subjects: &[Subject],
+        oriented: &[Oriented],
         comparisons: &[Comparison],
         command: &str,
     ) -> Result<Self, String> {
-        let judged: Vec<Claim> = claims::all(subjects, comparisons);
+        let judged: Vec<Claim> = claims::all(subjects, oriented, comparisons);
         let mut sheets = vec![claims::sheet(&judged)];
         let claims = sheets[0].page();
         let lengths = (!subjects.is_empty()).then(|| lengths::sheet(subjects));
@@ -41,6 +44,7 @@ impl Report {
             sections.push(section(subject, &mut sheets, &mut gallery)?);
         }
         let mut plots = Vec::new();
+        let boxes = oriented::section(oriented, &mut sheets, &mut plots)?;
         let selected = selected::section(comparisons, &mut sheets, &mut plots)?;
         let title = "hug: the paper's instruments";
         let page = html! {
@@ -60,10 +64,12 @@ impl Report {
                     (reading())
                     nav { a href="#claims" { "claims" } @for s in subjects {
                         " " a href={ "#" (s.short) } { (s.loaded.name) }
-                    } @if !comparisons.is_empty() { " " a href="#selected" { "selected results" } } }
+                    } @if !oriented.is_empty() { " " a href="#oriented" { "clusters' orientation" } }
+                    @if !comparisons.is_empty() { " " a href="#selected" { "selected results" } } }
                     @for table in &scenes { section { h2 { "Scenes" } (table) } }
                     section #claims { h2 { "Claims" } (claims) }
                     @for section in &sections { (section) }
+                    (boxes)
                     (selected)
                 }
             }
@@ -112,7 +118,7 @@ fn section(
     Ok(html! {
         section id=(subject.short) {
             h2 { (subject.loaded.name) }
-            div.pictures { figure.plot { (PreEscaped(length_chart(subject)?)) } }
+            div.pictures { figure.plot { (PreEscaped(charts::lengths(subject)?)) } }
             (heat::views(subject, gallery)?)
             h3 { "Performance" }
             @for table in &performance { (table) }
@@ -136,7 +142,7 @@ fn structure(built: &Built, tables: &[Markup]) -> Result<Markup, String> {
     let mut charts = Vec::new();
     for (level, counts) in built.histograms.iter().enumerate() {
         if counts.iter().any(|&n| n > 0) {
-            charts.extend(occupancy_charts(built, level, counts)?);
+            charts.extend(charts::occupancy(built, level, counts)?);
         }
     }
     Ok(html! {
@@ -146,52 +152,4 @@ fn structure(built: &Built, tables: &[Markup]) -> Result<Markup, String> {
             div.pictures { @for chart in &charts { figure.plot { (PreEscaped(chart)) } } }
         }
     })
-}
-
-fn percentages(counts: &[u64], whole: u64) -> (Vec<f64>, Vec<f64>) {
-    let percent = counts.iter().map(|&n| 100.0 * n as f64 / whole.max(1) as f64).collect();
-    let mut sums = vec![0.0; counts.len()];
-    cumulated(counts, whole, &mut sums);
-    (percent, sums)
-}
-
-/// Voxels by their triangles; where few are far fuller than the rest, also the left part alone.
-fn occupancy_charts(built: &Built, level: usize, counts: &[u64]) -> Result<Vec<String>, String> {
-    let whole = counts.iter().sum();
-    let chart = |title: &str, counts: &[u64], width: usize| {
-        let grouped: Vec<u64> = counts.chunks(width).map(|some| some.iter().sum()).collect();
-        let (percent, cumulated) = percentages(&grouped, whole);
-        let x = match width {
-            1 => "triangles a voxel refers to".to_owned(),
-            _ => format!("triangles a voxel refers to, in classes of {width}"),
-        };
-        // A bar stands over its number.
-        let (percent, cumulated) = (&percent[..], &cumulated[..]);
-        Distribution { title, x: &x, percent, cumulated, start: -0.5, width: width as f64 }.svg()
-    };
-    let title = format!("{}, level {level}", built.name);
-    let mut charts = vec![chart(&title, counts, counts.len().div_ceil(BARS))?];
-    if counts.len() > 2 * ZOOM {
-        charts.push(chart(&format!("{title}: the left part"), &counts[..ZOOM], 1)?);
-    }
-    Ok(charts)
-}
-
-/// Most bars of a chart: more could not be seen.
-const BARS: usize = 120;
-
-/// Classes of the left part.
-const ZOOM: usize = 41;
-
-fn length_chart(subject: &Subject) -> Result<String, String> {
-    let (percent, sums) = percentages(&subject.length_counts, subject.lengths.count);
-    Distribution {
-        title: &format!("{}: lengths of the triangles", subject.loaded.name),
-        x: "length over the largest",
-        percent: &percent,
-        cumulated: &sums,
-        start: 0.0,
-        width: SHARE / CLASSES as f64,
-    }
-    .svg()
 }

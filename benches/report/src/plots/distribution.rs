@@ -51,7 +51,7 @@ impl Distribution<'_> {
             .map_err(failed)?
             .set_secondary_coord(self.start..end, 0.0..100.0);
         let digits = if top < 1.0 { 2 } else { usize::from(top < 10.0) };
-        let places = if end - self.start < 1.0 { 2 } else { 0 };
+        let places = if end - self.start < 1.0 { 2 } else { usize::from(self.width < 1.0) };
         chart
             .configure_mesh()
             .disable_x_mesh()

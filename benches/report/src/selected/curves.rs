@@ -8,7 +8,7 @@ pub const RECURSIVE: &str = "rMAXP";
 
 /// The others, unless the command line names others. A new variant of the HUG is a line here, in
 /// the notation that `hug_bench::notation` reads.
-pub const COMPARED: [&str; 4] = ["u.f2.ALPHA", "u.f3.ALPHA", "g", "auto"];
+pub const COMPARED: [&str; 5] = ["u.f2.ALPHA", "u.f3.ALPHA", "u.f2.ALPHA+components", "g", "auto"];
 
 /// What stands for `ALPHA`, the subdivision of the world cluster, the coarsest first.
 const ALPHAS: [&str; 8] = ["0.25", "0.35", "0.5", "0.7", "1", "sqrt2", "2", "2.8"];

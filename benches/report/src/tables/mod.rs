@@ -3,6 +3,7 @@
 pub mod costs;
 pub mod lengths;
 pub mod occupancy;
+pub mod oriented;
 pub mod performance;
 pub mod rendering;
 pub mod selected;

@@ -1,5 +1,6 @@
 //! Claims of section 7.5, and of section 8 from it: the HUG at equal memory and at equal time.
 
+mod clusterings;
 mod scenes;
 mod tuned;
 
@@ -35,6 +36,7 @@ pub fn claims(all: &[Comparison]) -> Vec<Claim> {
         ),
         scenes::architecture(all),
         scenes::less_favourable(all),
+        clusterings::either(all),
     ]
 }
 
