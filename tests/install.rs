@@ -71,14 +71,19 @@ fn cmake_programs(prefix: &Path) {
     assert!(linked.contains("hug_build"), "outside_static does not hold the library");
 }
 
-/// By pkg-config: against the shared library, the static one, and with nothing shared at all.
-fn c_programs(prefix: &Path) {
+/// By pkg-config: against the shared library, the static one, and with nothing shared at all,
+/// for which `unwinder` is what unwinds.
+fn c_programs(prefix: &Path, unwinder: Option<&str>) {
     let shared = pkg_config(prefix, &["--cflags", "--libs"]);
     assert_eq!(c_program(prefix, "shared", &shared), PRINTED);
     let archive = pkg_config(prefix, &["--static", "--cflags", "--libs"]);
     let chosen: Vec<_> = archive.iter().map(|flag| flag.replace("-lhug", "-l:libhug.a")).collect();
     assert_eq!(c_program(prefix, "static", &chosen), PRINTED);
-    let whole = [&["-static".to_owned()][..], &archive].concat();
+    let fitting = |flag: &String| match unwinder {
+        Some(unwinder) if flag == "-lgcc_s" => unwinder.to_owned(),
+        _ => flag.clone(),
+    };
+    let whole: Vec<_> = ["-static".to_owned()].iter().chain(&archive).map(fitting).collect();
     assert_eq!(c_program(prefix, "whole", &whole), PRINTED);
     assert_eq!(pkg_config(prefix, &["--modversion"]), [env!("CARGO_PKG_VERSION")]);
 }
@@ -106,7 +111,7 @@ fn fresh(name: &str) -> PathBuf {
 fn outside_projects_use_an_installed_tree() {
     let prefix = fresh("outside");
     make("install", &prefix);
-    c_programs(&prefix);
+    c_programs(&prefix, None);
 
     // The tree may be moved: its CMake files say nothing of where it was.
     let moved = prefix.with_file_name("second");
@@ -138,7 +143,8 @@ fn outside_projects_use_what_cargo_c_installs() {
     cinstall.arg("--prefix").arg(&prefix).arg("--libdir").arg(prefix.join("lib"));
     cinstall.arg("--target-dir").arg(target().join("cargo-c")).env_remove("CARGO_BUILD_TARGET");
     run(&mut cinstall);
-    c_programs(&prefix);
+    // rustc names a library of GCC's that is only there as a shared one.
+    c_programs(&prefix, Some("-lgcc_eh"));
     let names = |prefix: &Path| {
         let below = |path: PathBuf| path.strip_prefix(prefix).expect("below it").to_owned();
         files(prefix).into_iter().map(below).collect::<BTreeSet<_>>()
