@@ -1,7 +1,6 @@
 //! Cost over memory: what a structure costs, at every setting of its parameter.
 
-use super::{GRID, INK, failed, inline};
-use plotters::coord::Shift;
+use super::{GRID, INK, Sheet, failed, svg};
 use plotters::prelude::*;
 use std::ops::Range;
 
@@ -41,14 +40,7 @@ const SMALL: (&str, u32) = ("sans-serif", 11);
 
 impl CurveChart<'_> {
     pub fn svg(&self) -> Result<String, String> {
-        let mut text = String::new();
-        {
-            let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-            root.fill(&WHITE).map_err(failed)?;
-            self.draw(&root)?;
-            root.present().map_err(failed)?;
-        }
-        Ok(inline(&text))
+        svg(SIZE, |root| self.draw(root))
     }
 
     /// The corner with the fewest points, for the legend.
@@ -72,7 +64,7 @@ impl CurveChart<'_> {
         free.map_or(SeriesLabelPosition::UpperRight, |corner| corner.1)
     }
 
-    fn draw(&self, root: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), String> {
+    fn draw(&self, root: &Sheet<'_>) -> Result<(), String> {
         let all = || self.lines.iter().flat_map(|line| &line.points);
         let (x, y) = (range(all().map(|p| p.0)), range(all().map(|p| p.1)));
         let mut chart = ChartBuilder::on(root)

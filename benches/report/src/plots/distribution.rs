@@ -1,7 +1,7 @@
 //! A histogram and its cumulated distribution on one chart, as in the paper: the left scale is
 //! that of the histogram, the right one that of the distribution.
 
-use super::{BARS, GRID, INK, SUM, failed, inline, round_up};
+use super::{BARS, GRID, INK, SUM, Sheet, failed, round_up, svg};
 use plotters::prelude::*;
 
 /// A chart to be drawn.
@@ -23,20 +23,10 @@ const FONT: (&str, u32) = ("sans-serif", 12);
 
 impl Distribution<'_> {
     pub fn svg(&self) -> Result<String, String> {
-        let mut text = String::new();
-        {
-            let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-            root.fill(&WHITE).map_err(failed)?;
-            self.draw(&root)?;
-            root.present().map_err(failed)?;
-        }
-        Ok(inline(&text))
+        svg(SIZE, |root| self.draw(root))
     }
 
-    fn draw(
-        &self,
-        root: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
-    ) -> Result<(), String> {
+    fn draw(&self, root: &Sheet<'_>) -> Result<(), String> {
         let classes = self.percent.len().min(self.cumulated.len());
         let end = self.start + self.width * classes as f64;
         let top = self.percent.iter().copied().fold(0.0, f64::max);

@@ -3,6 +3,8 @@
 pub mod curve;
 pub mod distribution;
 
+use plotters::coord::Shift;
+use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend, WHITE};
 use plotters::style::RGBColor;
 
 pub const INK: RGBColor = RGBColor(40, 40, 40);
@@ -15,8 +17,26 @@ pub fn failed(error: impl std::fmt::Display) -> String {
     format!("a plot: {error}")
 }
 
+/// An empty sheet, of a plot's size in pixels.
+pub type Sheet<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// A plot as the page embeds it.
+pub fn svg(
+    size: (u32, u32),
+    draw: impl FnOnce(&Sheet<'_>) -> Result<(), String>,
+) -> Result<String, String> {
+    let mut text = String::new();
+    {
+        let root = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        root.fill(&WHITE).map_err(failed)?;
+        draw(&root)?;
+        root.present().map_err(failed)?;
+    }
+    Ok(inline(&text))
+}
+
 /// What the page embeds: the drawing without the declaration of a file of its own.
-pub fn inline(svg: &str) -> String {
+fn inline(svg: &str) -> String {
     svg.find("<svg").map_or(svg, |at| &svg[at..]).to_owned()
 }
 
