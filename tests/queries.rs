@@ -7,6 +7,8 @@ mod common;
 use common::{adversarial_rays, assert_same, build, configurations, ray, soups};
 use hug::{Hit, Isa, Ray, Scene, View, force_isa, intersect_triangle};
 use hug_kit::{Mesh, arbiter, rays};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A ray and all that it hits, with the side that it comes from.
 struct Case {
@@ -139,27 +141,51 @@ fn compare_streams(scene: &Scene, cases: &[Case], what: &str) {
     }
 }
 
+/// Runs `f` on each of some items, on as many threads as there are processors.
+fn on_all_processors<T: Sync>(items: &[T], f: impl Fn(&T) + Sync) {
+    let next = AtomicUsize::new(0);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(item) = items.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    f(item);
+                }
+            });
+        }
+    });
+}
+
 /// The one test that forces instruction sets, which are the whole process's.
 #[test]
 fn exact_in_every_structure_on_every_instruction_set() {
     let sets: Vec<Isa> = Isa::ALL.into_iter().filter(|&i| force_isa(i)).collect();
-    for (soup, mesh) in soups() {
-        let rays = adversarial_rays(&mesh, 41, 15);
-        let cases: Vec<Case> = rays.iter().map(|(_, r)| case(&mesh, r)).collect();
+    let soups = soups();
+    let all: Vec<OnceLock<Vec<Case>>> = soups.iter().map(|_| OnceLock::new()).collect();
+    on_all_processors(&soups.iter().zip(&all).collect::<Vec<_>>(), |((soup, mesh), cases)| {
+        let rays = adversarial_rays(mesh, 41, 15);
+        let cases = cases.get_or_init(|| rays.iter().map(|(_, r)| case(mesh, r)).collect());
         let several = cases.iter().filter(|case| case.hits.len() > 1).count();
         assert!(several > 0 || mesh.indices.len() < 2, "{soup}: no ray hit two triangles");
+    });
+    let mut scenes = Vec::new();
+    for ((soup, mesh), cases) in soups.iter().zip(&all) {
         for (name, options) in configurations() {
-            let scene = build(&mesh, &options);
-            for &set in &sets {
-                assert!(force_isa(set), "{set:?}");
-                let what = format!("{soup} in {name}, {set:?}");
-                for case in &cases {
-                    compare_all(scene.view(), case, &what);
-                    compare_filtered(scene.view(), case, &what);
-                    compare_culled(scene.view(), case, &what);
-                }
-                compare_streams(&scene, &cases, &what);
-            }
+            let cases = cases.get().expect("they were made");
+            scenes.push((format!("{soup} in {name}"), cases, build(mesh, &options)));
         }
+    }
+    assert!(scenes.len() > 100);
+    for set in sets {
+        assert!(force_isa(set), "{set:?}");
+        on_all_processors(&scenes, |(what, cases, scene)| {
+            let what = format!("{what}, {set:?}");
+            for case in *cases {
+                compare_all(scene.view(), case, &what);
+                compare_filtered(scene.view(), case, &what);
+                compare_culled(scene.view(), case, &what);
+            }
+            compare_streams(scene, cases, &what);
+        });
     }
 }
