@@ -1495,7 +1495,7 @@ int32_t hug_intersect_counted(const hug_scene *scene,
 int32_t hug_occluded_counted(const hug_scene *scene, const hug_ray *ray, hug_counters *counters);
 
 /**
- * hug_intersect in at most so many steps: grids entered, voxels traversed and
+ * hug_intersect in at most so many steps: boxes of grids, voxels traversed and
  * triangles tested, as hug_counters counts them (grids + voxels + tests). Returns
  * HUG_TRUNCATED, and writes the record of a miss, if they do not suffice; else
  * what hug_intersect does. The same ray needs the same number of steps on every

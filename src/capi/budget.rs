@@ -9,7 +9,7 @@ use crate::{Error, Hit};
 /// hug_intersect_within and hug_occluded_within: the steps did not suffice.
 pub const HUG_TRUNCATED: i32 = -1;
 
-/// hug_intersect in at most so many steps: grids entered, voxels traversed and
+/// hug_intersect in at most so many steps: boxes of grids, voxels traversed and
 /// triangles tested, as hug_counters counts them (grids + voxels + tests). Returns
 /// HUG_TRUNCATED, and writes the record of a miss, if they do not suffice; else
 /// what hug_intersect does. The same ray needs the same number of steps on every

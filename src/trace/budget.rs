@@ -1,6 +1,6 @@
 //! Queries that give up after so many steps, and say so.
 //!
-//! A step is a grid entered, a voxel traversed or a triangle tested: what
+//! A step is a grid whose box is tested, a voxel traversed or a triangle tested: what
 //! [`Counters`](super::Counters) counts, hits apart. So the same budget ends the same
 //! ray at the same step on every machine and instruction set.
 
@@ -53,7 +53,7 @@ impl Count for Budget {
 }
 
 impl View<'_> {
-    /// [`View::intersect`] in at most `steps` steps: grids entered, voxels traversed and
+    /// [`View::intersect`] in at most `steps` steps: boxes of grids, voxels traversed and
     /// triangles tested, as [`crate::Counters`] counts them. [`View::most_steps`] always
     /// suffice.
     ///
