@@ -7,11 +7,12 @@ use hug::capi::*;
 use std::ffi::c_void;
 use std::ptr::{null, null_mut};
 
-/// A pointer that is mostly good: else NULL, or off its alignment.
+/// A pointer that is mostly good: else NULL, or off its alignment, also that of 16-bit
+/// indices, which would otherwise be read beyond their end.
 pub fn pointer<T>(input: &mut Input<'_>, good: *const T) -> *const T {
     match input.below(32) {
         30 => null(),
-        31 => good.wrapping_byte_add(1 + input.below(3)),
+        31 => good.wrapping_byte_add(1 | input.below(3)),
         _ => good,
     }
 }
