@@ -6,7 +6,8 @@
 //! Consistent means (see `check`): every voxel number of a grid lies in the
 //! voxels' section; every voxel's list lies in the references' section; every
 //! reference names an existing triangle or a later grid; exit boxes lie in their
-//! grids; if a grid is turned there is a frame for each. The accessors below rely on it instead of testing bounds.
+//! grids; if a grid is turned there is a frame for each. The accessors below rely on
+//! it instead of testing bounds.
 
 use core::marker::PhantomData;
 

@@ -110,27 +110,13 @@ impl<L: Lanes> Local<L> {
     ) -> Option<Self> {
         let grid = sections.grid(number);
         if grid.flags & TURNED != 0 {
-            Self::enter_turned(l, sections, number, course, ray, range)
+            turned(l, &Turned { grid, frame: sections.frame(number), course, ray, range })
         } else {
             Self::enter_aligned(l, grid, course, ray, range)
         }
     }
 
-    /// [`Local::enter`] for a grid that is turned.
-    #[inline(always)]
-    pub fn enter_turned(
-        l: L,
-        sections: &Sections<'_>,
-        number: u32,
-        course: &Course<L>,
-        ray: &Ray,
-        range: [f64; 2],
-    ) -> Option<Self> {
-        let (grid, frame) = (sections.grid(number), sections.frame(number));
-        turned(l, &Turned { grid, frame, course, ray, range })
-    }
-
-    /// [`Local::enter`] for a grid that is not.
+    /// [`Local::enter`] for a grid that is not turned.
     #[inline(always)]
     pub fn enter_aligned(
         l: L,

@@ -5,6 +5,7 @@ use super::super::course::{Course, Mirror};
 use super::super::local::Local;
 use super::super::query::{Query, beyond, usable, visible};
 use super::super::sieve::Sieve;
+use super::super::turned::Turned;
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
 use super::round::Rounds;
@@ -33,8 +34,9 @@ impl<Q: Query, L: Lanes> Kernel<L> for EnterTurned<'_, '_, '_, Q, L> {
     fn run(self, l: L) -> bool {
         let Self { rounds, slot, grid, range } = self;
         let Flight { ref course, ref ray, .. } = rounds.flights[slot];
-        let local = Local::enter_turned(l, &rounds.sections, grid, course, ray, range);
-        let Some(local) = local else { return false };
+        let (record, frame) = (rounds.sections.grid(grid), rounds.sections.frame(grid));
+        let turned = &Turned { grid: record, frame, course, ray, range };
+        let Some(local) = turned.run(l) else { return false };
         rounds.arrive(slot, &local);
         true
     }
