@@ -5,7 +5,7 @@ use super::super::course::{Course, Mirror};
 use super::super::local::Local;
 use super::super::query::{Query, beyond, usable, visible};
 use super::super::sieve::Sieve;
-use super::super::turned::Turned;
+use super::super::turned::{Turned, turned};
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
 use super::round::Rounds;
@@ -35,8 +35,8 @@ impl<Q: Query, L: Lanes> Kernel<L> for EnterTurned<'_, '_, '_, Q, L> {
         let Self { rounds, slot, grid, range } = self;
         let Flight { ref course, ref ray, .. } = rounds.flights[slot];
         let (record, frame) = (rounds.sections.grid(grid), rounds.sections.frame(grid));
-        let turned = &Turned { grid: record, frame, course, ray, range };
-        let Some(local) = turned.run(l) else { return false };
+        let ray = &Turned { grid: record, frame, course, ray, range };
+        let Some(local) = turned(l, ray) else { return false };
         rounds.arrive(slot, &local);
         true
     }
