@@ -6,7 +6,8 @@ mod common;
 
 use common::everywhere::Everywhere;
 use hug::{Geometry, Ray};
-use hug_kit::Mesh;
+use hug_kit::random::Random;
+use hug_kit::{Mesh, soups};
 
 const INF: f32 = f32::INFINITY;
 const SMALLEST: f32 = f32::from_bits(1);
@@ -122,6 +123,26 @@ fn rounded_bounds_are_inclusive() {
         room.miss(&ray.with_range(0.0, t.next_down()));
         assert!(room.shoot(&ray.with_range(t.next_up(), INF)).t > t, "{ray:?}");
     }
+}
+
+/// So far that on the way from the origin to the scene no f64 tells one of its voxels from
+/// the next, and with a direction whose one small component leads aside by a few of them.
+/// The scene is a cube, which such rays cross along a diagonal of two axes.
+#[test]
+fn from_very_far_into_nested_grids() {
+    let mesh = soups::tangle(1, 600);
+    let scenes = Everywhere::build(&[Geometry::from_mesh(&mesh.vertices, &mesh.indices)]);
+    let mut random = Random::stream(29);
+    let mut hits = 0;
+    for i in 0..120 {
+        let far = 2f32.powi(20 + random.below(90) as i32);
+        let corner = mesh.vertices[random.below(mesh.vertices.len())];
+        let aside = (random.below(64) as f32 - 32.0) / 8.0;
+        let (mut org, mut dir) = ([-far; 3], [far; 3]);
+        (org[i % 3], dir[i % 3]) = (corner[i % 3] + aside, -aside);
+        hits += usize::from(scenes.shoot(&Ray::new(org, dir)).is_hit());
+    }
+    assert!(hits > 30, "{hits} hits");
 }
 
 #[test]

@@ -147,7 +147,8 @@ impl<L: Lanes> Local<L> {
         let speed = l.mul_f64(course.dir, l.widen(inv_cell));
         let Part { mut low, mut high, base, slack } = part;
         let mut there = l.add_f64(place, l.mul_f64(l.splat_f64(low), speed));
-        if grid.flags & COVERS == 0 && l.any_outside(there, n) {
+        // What was moved begins up to `slack` off the voxel that the grid covers: many voxels.
+        if (grid.flags & COVERS == 0 || slack > 0.0) && l.any_outside(there, n) {
             let pace = l.div_f64(l.splat_f64(1.0), speed);
             let a = l.mul_f64(l.sub_f64(l.splat_f64(0.0), place), pace);
             let b = l.mul_f64(l.sub_f64(n, place), pace);
