@@ -1252,7 +1252,8 @@ typedef struct {
 #define HUG_HIERARCHY_NESTED 0
 
 /**
- * A grid hangs under every higher grid that it intersects, as in the paper.
+ * A grid hangs under every higher grid that it intersects, as in the paper; nested where
+ * that would make more than 16 ways from the world to a grid, on average.
  */
 #define HUG_HIERARCHY_PAPER 1
 

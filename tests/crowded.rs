@@ -5,7 +5,7 @@
 mod common;
 
 use common::{adversarial_rays, assert_same, build, configurations, ray, structures};
-use hug::{Options, Ray, Scene, Stats, Structure};
+use hug::{Clustering, Filter, Hierarchy, Options, Ray, Scene, Stats, Structure};
 use hug_kit::Mesh;
 use hug_kit::random::Random;
 
@@ -137,4 +137,37 @@ fn nearly_one_point() {
         mesh
     };
     check_both(point, "a speck", 100_000);
+}
+
+/// Sticks along x and along y in turn, level by level, each a cluster that crosses all of
+/// every other level below: paths from the world would be thousands for each grid.
+#[test]
+fn clusters_across_each_other_on_every_level() {
+    let mut mesh = Mesh::default();
+    let mut at = [0.0; 15];
+    for (level, at) in at.iter_mut().enumerate() {
+        let length = 4.0 + level as f32 / 2.0;
+        *at = length + 0.25;
+        for stick in 0..4 {
+            let aside = stick as f32 / 4.0 - 0.4;
+            let corner = |along: f32, across: f32, z: f32| {
+                let along = along * length / 2.0;
+                if level % 2 == 0 { [along, across, z] } else { [across, along, z] }
+            };
+            mesh.push([
+                corner(-1.0, aside, 0.0),
+                corner(1.0, aside + 0.01, 0.0),
+                corner(1.0, aside, 0.01),
+            ]);
+        }
+    }
+    let options = Options {
+        structure: Structure::Hug,
+        filter: Filter::Thresholds { count: 15, at },
+        clustering: Clustering::Components,
+        hierarchy: Hierarchy::Paper,
+        min_cluster: 1,
+        ..Options::default()
+    };
+    check(&mesh, "sticks", &[("the paper's hierarchy", options)]);
 }

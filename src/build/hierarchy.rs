@@ -12,7 +12,7 @@ use super::frame::Grid;
 use super::overlap;
 use super::uniform::inner_rule;
 use crate::Error;
-use crate::arena::layout::GRID_BIT;
+use crate::arena::layout::{GRID_BIT, MAX_WALKS};
 use crate::options::{Hierarchy, MAX_LEVELS, Options};
 
 /// No parent yet.
@@ -24,8 +24,37 @@ const LOOKS: usize = 1024;
 
 /// Links every grid but the world to its parents: fills `links` with pairs
 /// `[parent, child]` and returns how many, sorted. `objects` and `parent` are
-/// free memory for as many numbers as there are grids.
+/// free memory for as many numbers as there are grids. Nested, whatever the rule, if a
+/// ray could otherwise enter grids more often than an arena may say.
 pub fn link(
+    draft: &mut Draft<'_>,
+    rule: Hierarchy,
+    links: &mut [[u32; 2]],
+    objects: &mut [u32],
+    parent: &mut [u32],
+    control: &mut Control<'_>,
+) -> Result<usize, Error> {
+    let count = link_by(draft, rule, links, objects, parent, control)?;
+    let total = draft.grids().len();
+    if walks(&links[..count], &mut parent[..total]) <= MAX_WALKS * total as u64 {
+        return Ok(count);
+    }
+    link_by(draft, Hierarchy::Nested, links, objects, parent, control)
+}
+
+/// No less than the world's `walks` will be: the paths to all grids, were all in each voxel
+/// of those above. `paths` is room for a number of each grid.
+fn walks(links: &[[u32; 2]], paths: &mut [u32]) -> u64 {
+    paths.fill(1);
+    // Children have higher numbers than parents: theirs are known first.
+    for &[above, below] in links.iter().rev() {
+        paths[above as usize] = paths[above as usize].saturating_add(paths[below as usize]);
+    }
+    paths.first().copied().unwrap_or(0).into()
+}
+
+/// [`link`] by a rule.
+fn link_by(
     draft: &mut Draft<'_>,
     rule: Hierarchy,
     links: &mut [[u32; 2]],
@@ -50,9 +79,9 @@ pub fn link(
                 }
                 let before = looks;
                 if rule == Hierarchy::Paper {
-                    // Where the memory for links runs out, the world serves:
-                    // one link is kept back for each grid still to come.
-                    let room = links.len().saturating_sub(total - child);
+                    // Where the memory for links runs out, the world serves: one link is
+                    // kept back for each grid of this level and of those still to come.
+                    let room = links.len().saturating_sub(total - group.start);
                     let cover = &mut parent[child];
                     count = index.under_all(draft, child, (links, count, room), cover, &mut looks);
                 } else if parent[child] == NONE {

@@ -102,7 +102,8 @@ pub const HUG_DELTA_MEAN: hug_delta = 1;
 pub type hug_hierarchy = u32;
 /// A grid hangs under the smallest higher grid that contains it whole.
 pub const HUG_HIERARCHY_NESTED: hug_hierarchy = 0;
-/// A grid hangs under every higher grid that it intersects, as in the paper.
+/// A grid hangs under every higher grid that it intersects, as in the paper; nested where
+/// that would make more than 16 ways from the world to a grid, on average.
 pub const HUG_HIERARCHY_PAPER: hug_hierarchy = 1;
 
 /// How the boxes of a HUG's clusters lie: HUG_ORIENTATION_*.
