@@ -86,7 +86,8 @@ pub enum Hierarchy {
     #[default]
     Nested = 0,
     /// A grid hangs under every higher grid it intersects, and under the world
-    /// unless one of them contains it whole.
+    /// unless one of them contains it whole. Where so many grids lie in one another that
+    /// there were more than 16 ways from the world to a grid, on average, as nested.
     Paper = 1,
 }
 
@@ -228,6 +229,10 @@ impl Default for Options {
 /// The alpha of the world cluster under a filter of two levels, where that has room.
 const TWO_LEVELS_ALPHA: f32 = 2.0;
 
+/// Voxels of AUTO's outermost grid, about: half a megabyte, so that the grid where every
+/// ray begins stays in the second cache of most processors. Crowded voxels are split anyway.
+const WORLD_VOXELS: f64 = (1u32 << 17) as f64;
+
 /// Largest voxel count along an axis.
 pub(crate) const MAX_COUNT: u32 = 2048;
 
@@ -269,8 +274,8 @@ impl Options {
         if ok { Ok(()) } else { Err(Error::InvalidValue) }
     }
 
-    /// These options with the structure that AUTO stands for.
-    pub(crate) fn resolved(&self) -> Self {
+    /// These options with the structure that AUTO stands for, for that many triangles.
+    pub(crate) fn resolved(&self, triangles: usize) -> Self {
         if self.structure != Structure::Auto {
             return *self;
         }
@@ -280,7 +285,8 @@ impl Options {
             Quality::Default => (0.8, self.alpha, 128),
             Quality::High => (1.26, self.alpha, 64),
         };
-        let world_alpha = Some(world_alpha);
+        let most = cbrt(WORLD_VOXELS / triangles.max(1) as f64) as f32;
+        let world_alpha = Some(if most < world_alpha { most } else { world_alpha });
         Self { structure: Structure::Recursive, maxp, alpha, world_alpha, ..*self }
     }
 

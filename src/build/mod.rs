@@ -70,7 +70,7 @@ pub fn measure(soup: &[Geometry<'_>], options: &Options) -> Result<Sizes, Error>
 pub(crate) fn measure_count(triangles: usize, options: &Options) -> Result<Sizes, Error> {
     fpenv::with_default(|| {
         options.check()?;
-        Capacity::new(triangles, &options.resolved()).sizes()
+        Capacity::new(triangles, &options.resolved(triangles)).sizes()
     })
 }
 
@@ -100,8 +100,9 @@ pub fn plan_with<'s>(
 ) -> Result<Plan<'s>, Error> {
     fpenv::with_default(|| {
         options.check()?;
-        let options = &options.resolved();
-        let capacity = Capacity::new(count(soup)?, options);
+        let triangles = count(soup)?;
+        let options = &options.resolved(triangles);
+        let capacity = Capacity::new(triangles, options);
         let mut scratch = Scratch::new(scratch);
         control.begin();
         control.pass(0.1)?;
