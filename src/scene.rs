@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use crate::arena::View;
 use crate::arena::block::Block;
 use crate::build::{Control, measure, plan_with};
+use crate::simd::ask_for_large;
 use crate::{Builder, Error, Geometry, Options};
 
 /// A built scene. Queries are on its [`View`]; any number of threads can share it.
@@ -63,6 +64,7 @@ impl Scene {
         // most of what the bound asks for is never touched.
         let mut scratch: Vec<u8> =
             bytemuck::allocation::try_zeroed_vec(sizes.scratch).map_err(|()| Error::OutOfMemory)?;
+        ask_for_large(scratch.as_ptr(), scratch.len());
         let plan = plan_with(soup, options, &mut scratch, control)?;
         let mut arena = Block::zeroed(plan.arena_bytes()).ok_or(Error::OutOfMemory)?;
         plan.write_with(arena.bytes_mut(), control)?;

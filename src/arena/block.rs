@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::View;
 use super::layout::ALIGN;
+use crate::simd::ask_for_large;
 
 /// A block of bytes, zeroed at first and aligned to 64.
 pub struct Block {
@@ -17,7 +18,8 @@ impl Block {
     /// `bytes` bytes, or `None` if there is no memory.
     pub fn zeroed(bytes: usize) -> Option<Self> {
         let size = bytes.checked_add(ALIGN)?;
-        let memory = bytemuck::allocation::try_zeroed_vec(size).ok()?;
+        let memory: Vec<u8> = bytemuck::allocation::try_zeroed_vec(size).ok()?;
+        ask_for_large(memory.as_ptr(), memory.len());
         Some(Self { memory, len: bytes })
     }
 

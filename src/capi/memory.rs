@@ -6,6 +6,8 @@ use super::build::hug_scene;
 use super::types::{hug_alloc_fn, hug_build_desc, hug_free_fn};
 use crate::Error;
 use crate::arena::ALIGN;
+#[cfg(feature = "alloc")]
+use crate::simd::ask_for_large;
 
 /// Where memory comes from.
 #[derive(Clone, Copy)]
@@ -87,6 +89,7 @@ fn default_alloc(size: usize) -> Result<*mut u8, Error> {
     if memory.is_null() {
         return Ok(memory);
     }
+    ask_for_large(memory, size);
     // From a word to 64 bytes, the word before the block says how many.
     let skip = ALIGN - memory as usize % ALIGN;
     // SAFETY: there is room for 64 bytes more, and a word before an aligned address.

@@ -1,5 +1,5 @@
 //! What depends on the processor: instruction sets behind one trait, the choice
-//! between them at run time, and the floating-point environment.
+//! between them at run time, the floating-point environment, and the size of pages.
 //!
 //! The algorithms are written once, over [`Lanes`]; each instruction set is a
 //! thin shell. No result depends on which one runs: lanes only steer the walk,
@@ -10,6 +10,8 @@ mod aarch64;
 pub(crate) mod fpenv;
 mod isa;
 mod lanes;
+#[cfg(feature = "alloc")]
+mod pages;
 mod pair;
 mod portable;
 #[cfg(target_arch = "x86_64")]
@@ -18,5 +20,7 @@ mod x86;
 pub(crate) use isa::{AnyKernel, dispatch};
 pub use isa::{Isa, force_isa, isa};
 pub(crate) use lanes::{Kernel, Lanes};
+#[cfg(feature = "alloc")]
+pub(crate) use pages::ask_for_large;
 pub(crate) use pair::Pair;
 pub(crate) use portable::Portable;
