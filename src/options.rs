@@ -230,8 +230,11 @@ impl Default for Options {
 const TWO_LEVELS_ALPHA: f32 = 2.0;
 
 /// Voxels of AUTO's outermost grid, about: half a megabyte, so that the grid where every
-/// ray begins stays in the second cache of most processors. Crowded voxels are split anyway.
+/// ray begins stays in the second cache of most processors. Crowded voxels are split anyway;
+/// but where triangles are everywhere alike, not before their lists are long, so that there
+/// is a voxel for every eight triangles at least.
 const WORLD_VOXELS: f64 = (1u32 << 17) as f64;
+const WORLD_SHARE: f64 = 1.0 / 8.0;
 
 /// Largest voxel count along an axis.
 pub(crate) const MAX_COUNT: u32 = 2048;
@@ -285,7 +288,7 @@ impl Options {
             Quality::Default => (0.8, self.alpha, 128),
             Quality::High => (1.26, self.alpha, 64),
         };
-        let most = cbrt(WORLD_VOXELS / triangles.max(1) as f64) as f32;
+        let most = cbrt((WORLD_VOXELS / triangles.max(1) as f64).max(WORLD_SHARE)) as f32;
         let world_alpha = Some(if most < world_alpha { most } else { world_alpha });
         Self { structure: Structure::Recursive, maxp, alpha, world_alpha, ..*self }
     }
