@@ -90,7 +90,9 @@ fn bound(n: usize, options: &Options) -> f64 {
         // A cluster's corners are looked at once more where it may be turned.
         let cluster = (195.0 + 2.0 + levels) * n;
         let index = levels * fill(links, 4.0 * links + levels);
-        sum += cluster + index + (1024.0 + levels) * links;
+        // Once more, nested, if the paper's hierarchy has too many paths.
+        let rounds = if options.hierarchy == Hierarchy::Paper { 2.0 } else { 1.0 };
+        sum += cluster + rounds * (index + (1024.0 + levels) * links);
         sum += fill(n + links, inner * (n + links) + links);
         voxels += inner * (n + links) + links;
     }

@@ -34,34 +34,6 @@ pub fn link(
     parent: &mut [u32],
     control: &mut Control<'_>,
 ) -> Result<usize, Error> {
-    let count = link_by(draft, rule, links, objects, parent, control)?;
-    let total = draft.grids().len();
-    if walks(&links[..count], &mut parent[..total]) <= MAX_WALKS * total as u64 {
-        return Ok(count);
-    }
-    link_by(draft, Hierarchy::Nested, links, objects, parent, control)
-}
-
-/// No less than the world's `walks` will be: the paths to all grids, were all in each voxel
-/// of those above. `paths` is room for a number of each grid.
-fn walks(links: &[[u32; 2]], paths: &mut [u32]) -> u64 {
-    paths.fill(1);
-    // Children have higher numbers than parents: theirs are known first.
-    for &[above, below] in links.iter().rev() {
-        paths[above as usize] = paths[above as usize].saturating_add(paths[below as usize]);
-    }
-    paths.first().copied().unwrap_or(0).into()
-}
-
-/// [`link`] by a rule.
-fn link_by(
-    draft: &mut Draft<'_>,
-    rule: Hierarchy,
-    links: &mut [[u32; 2]],
-    objects: &mut [u32],
-    parent: &mut [u32],
-    control: &mut Control<'_>,
-) -> Result<usize, Error> {
     let total = draft.grids().len();
     let mut looks = total.saturating_mul(LOOKS);
     let mut above: [Range<usize>; MAX_LEVELS] = core::array::from_fn(|_| 0..0);
@@ -105,7 +77,22 @@ fn link_by(
         first = group.end;
     }
     links[..count].sort_unstable();
+    // Nested, it is a tree, with one path to each grid.
+    if walks(&links[..count], &mut parent[..total]) > MAX_WALKS * total as u64 {
+        return link(draft, Hierarchy::Nested, links, objects, parent, control);
+    }
     Ok(count)
+}
+
+/// No less than the world's `walks` will be: the paths to all grids, were all in each voxel
+/// of those above. `paths` is room for a number of each grid.
+fn walks(links: &[[u32; 2]], paths: &mut [u32]) -> u64 {
+    paths.fill(1);
+    // Children have higher numbers than parents: theirs are known first.
+    for &[above, below] in links.iter().rev() {
+        paths[above as usize] = paths[above as usize].saturating_add(paths[below as usize]);
+    }
+    paths.first().copied().unwrap_or(0).into()
 }
 
 fn contains(outer: &Grid, inner: &Grid) -> bool {
