@@ -120,6 +120,23 @@ impl Hit {
         }
     }
 
+    /// A record that is stored by sixteen bytes, as it will be copied by sixteen: of bytes
+    /// that narrower stores have just written, a wide load has to wait until they are in
+    /// the cache.
+    #[inline(always)]
+    pub(crate) fn in_rows([t, u, v]: [f32; 3], ng: [f32; 3], [geom, prim]: [u32; 2]) -> Self {
+        let [x, y, z] = ng;
+        let first = glam::Vec4::new(t, u, v, x);
+        let second = glam::Vec4::new(y, z, f32::from_bits(geom), f32::from_bits(prim));
+        let rows = [first.to_array(), second.to_array()];
+        bytemuck::cast::<[u32; 10], Self>({
+            let mut words = [0; 10];
+            words[..8].copy_from_slice(bytemuck::cast_slice(&rows));
+            words[8] = NONE;
+            words
+        })
+    }
+
     /// Whether a triangle was met.
     #[must_use]
     pub const fn is_hit(&self) -> bool {

@@ -39,7 +39,7 @@ impl Query for Closest {
 
     #[inline(always)]
     fn miss(ray: &Ray) -> Hit {
-        Hit::miss(ray.tmax)
+        Hit::in_rows([ray.tmax, 0.0, 0.0], [0.0; 3], [NONE; 2])
     }
 
     #[inline(always)]
@@ -69,16 +69,7 @@ impl Query for Closest {
         }
         let triangle = sections.triangle(self.number);
         let (u, v) = self.weights.unwrap_or_else(|| Line::new(ray).weights(triangle));
-        Hit {
-            t: self.limit,
-            u,
-            v,
-            ng: normal(triangle),
-            geom: self.geom,
-            prim: self.prim,
-            inst: NONE,
-            reserved: 0,
-        }
+        Hit::in_rows([self.limit, u, v], normal(triangle), [self.geom, self.prim])
     }
 }
 
