@@ -16,6 +16,7 @@ mod decided;
 mod filter;
 mod local;
 mod nearest;
+mod packet;
 mod profile;
 mod query;
 mod rebase;

@@ -20,12 +20,13 @@ mod ways;
 
 use super::counters::{Count, Counters, Uncounted, best};
 use super::course::Course;
+use super::packet::{self, Outcome, Tables, Together};
 use super::profile::Profile;
 use super::query::{Any, Closest, Query};
 use super::sieve::Sieve;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
+use crate::simd::{AnyKernel, Isa, Kernel, Lanes, dispatch, fpenv};
 use columns::{Columns, SLOTS};
 use flight::{Flight, Frame};
 use pairs::Pairs;
@@ -33,6 +34,11 @@ use round::{Lists, Rounds, Sets};
 
 /// Grids above their own in which all rays in flight can be together.
 const FRAMES: usize = 4 * SLOTS;
+
+/// Rays that go apart after some that are no packet, at first, and at most: twice as many
+/// each time.
+const APART: usize = 64;
+const MOST: usize = 1 << 10;
 
 /// Rays that are sooner answered one by one.
 const FEW: usize = 12;
@@ -51,12 +57,55 @@ struct Run<'a, 'p, Q: Query> {
     n: usize,
 }
 
+/// Rays of a stream that go as they are, some dozens in flight.
+struct Apart<'a, 'p, Q: Query> {
+    view: &'a View<'a>,
+    port: &'p mut dyn Port<Q::Out>,
+    first: usize,
+    end: usize,
+}
+
 impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     type Out = ();
     const BEST: Isa = best::<Uncounted>();
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, n } = self;
+        let (mut next, mut apart) = (0, APART);
+        let mut tables = Tables::NONE;
+        while next < n {
+            let mut outcome = Outcome::Apart;
+            if !Q::ANY && n - next >= packet::RAYS {
+                let tables = &mut tables;
+                outcome = lanes.run(Together::<Q> { view, port: &mut *port, first: next, tables });
+            }
+            if !matches!(outcome, Outcome::Apart) {
+                next += packet::RAYS;
+            }
+            if matches!(outcome, Outcome::Narrow) {
+                apart = APART;
+                continue;
+            }
+            let end = n.min(next + apart);
+            lanes.run(Apart::<Q> { view, port: &mut *port, first: next, end });
+            next = end;
+            apart = MOST.min(2 * apart);
+        }
+    }
+
+    // On processors that nearly always have a better set, a stream without it need not be
+    // fast, and its kernels would be a twelfth of the library.
+    #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
+    fn run_portable(self) {
+        self.view.one_by_one::<Q, _>(self.port, self.n, &mut Uncounted);
+    }
+}
+
+impl<Q: Query, L: Lanes> Kernel<L> for Apart<'_, '_, Q> {
+    type Out = ();
+    #[inline(always)]
+    fn run(self, lanes: L) {
+        let Self { view, port, first, end } = self;
         let depth = (view.header().levels as usize).saturating_sub(1);
         let nowhere = Ray::new([0.0; 3], [0.0, 0.0, 1.0]);
         let [org, dir, _] = nowhere.rows();
@@ -70,8 +119,8 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
             view,
             sections,
             port,
-            next: 0,
-            n,
+            next: first,
+            n: end,
             columns: &mut columns,
             flights: &mut [Flight::<Q, L>::new(nowhere, 0, course); SLOTS],
             sieves: &mut [Sieve::new(lanes, &sections, &nowhere, rows, rows); SLOTS],
@@ -84,17 +133,10 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
         }
         .run(FRAMES / depth.max(1));
     }
-
-    // On processors that nearly always have a better set, a stream without it need not be
-    // fast, and its kernels would be a twelfth of the library.
-    #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
-    fn run_portable(self) {
-        self.view.one_by_one::<Q, _>(self.port, self.n, &mut Uncounted);
-    }
 }
 
 /// Rays and answers in slices.
-pub(super) struct Slices<'s, Out> {
+pub(crate) struct Slices<'s, Out> {
     pub rays: &'s [Ray],
     pub answers: &'s mut [Out],
 }

@@ -10,6 +10,7 @@ use super::Port;
 use super::columns::{Columns, SLOTS};
 use super::flight::{Flight, Frame, Grids};
 use super::pairs::Pairs;
+use super::ways::Moves;
 use crate::arena::layout::PAYLOAD;
 use crate::arena::{Sections, View};
 use crate::simd::Lanes;
@@ -19,12 +20,14 @@ pub(super) struct Lists {
     /// Where they are, and how long.
     pub places: [u32; SLOTS],
     pub lens: [u32; SLOTS],
-    /// The grids to go down to.
+    /// The grids to enter, and for what range of tau.
     pub grids: [u32; SLOTS],
+    pub ranges: [[f64; 2]; SLOTS],
 }
 
 impl Lists {
-    pub const NONE: Self = Self { places: [0; SLOTS], lens: [0; SLOTS], grids: [0; SLOTS] };
+    pub const NONE: Self =
+        Self { places: [0; SLOTS], lens: [0; SLOTS], grids: [0; SLOTS], ranges: [[0.0; 2]; SLOTS] };
 }
 
 /// Sets of slots, a bit each.
@@ -147,12 +150,15 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         }
         let Sets { live, down, done, .. } = self.sets;
         let (on, down) = (on & live & !done, down & !done);
+        let mut moves = Moves { leave: live & !on & !down, ..Moves::default() };
         for slot in Slots(down) {
-            self.descend(slot, on >> slot & 1 != 0);
+            if self.descend(slot, on >> slot & 1 != 0) {
+                moves.enter |= 1 << slot;
+            } else {
+                moves.leave |= 1 << slot;
+            }
         }
-        for slot in Slots(live & !on & !down) {
-            self.leave(slot);
-        }
+        self.send(moves);
         self.columns.arrive();
     }
 }

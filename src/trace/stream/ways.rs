@@ -8,11 +8,30 @@ use super::super::sieve::Sieve;
 use super::super::turned::{Turned, turned};
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
-use super::round::Rounds;
+use super::round::{Rounds, Slots};
 use crate::arena::layout::{GRID_BIT, TURNED};
 use crate::ray::Ray;
 use crate::simd::{Kernel, Lanes};
 use crate::triangle::Line;
+
+/// Slots whose rays leave their grids, are to be loaded, or enter the grids that they are
+/// to enter: a bit each.
+#[derive(Default)]
+pub(super) struct Moves {
+    pub leave: u32,
+    pub load: u32,
+    pub enter: u32,
+}
+
+/// Where a ray goes that leaves a grid.
+enum Way {
+    /// On, in the grid above.
+    On,
+    /// Down to the next grid of a list.
+    Down,
+    /// Nowhere: it is answered.
+    Out,
+}
 
 /// The frames of a slot.
 #[inline(always)]
@@ -46,18 +65,41 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     /// Takes the whole stream through.
     #[inline(always)]
     pub fn run(&mut self, flying: usize) {
-        for slot in 0..flying.min(SLOTS) {
-            self.load(slot);
-        }
+        let slots = u32::MAX >> (SLOTS - flying.min(SLOTS));
+        self.send(Moves { load: slots, ..Moves::default() });
         self.columns.arrive();
         while self.sets.live != 0 {
             self.round();
         }
     }
 
-    /// Puts the next ray in a slot, if there is one left.
+    /// Moves rays until all are in voxels. Each move is made for all rays at once, so
+    /// that there is one copy of it.
     #[inline(always)]
-    fn load(&mut self, slot: usize) {
+    pub fn send(&mut self, mut moves: Moves) {
+        loop {
+            for slot in Slots(core::mem::take(&mut moves.leave)) {
+                match self.leave(slot) {
+                    Way::On => {}
+                    Way::Down => moves.enter |= 1 << slot,
+                    Way::Out => moves.load |= 1 << slot,
+                }
+            }
+            for slot in Slots(core::mem::take(&mut moves.load)) {
+                moves.enter |= u32::from(self.load(slot)) << slot;
+            }
+            for slot in Slots(core::mem::take(&mut moves.enter)) {
+                moves.leave |= u32::from(!self.enter(slot)) << slot;
+            }
+            if moves.leave == 0 {
+                return;
+            }
+        }
+    }
+
+    /// Puts the next ray in a slot, to enter the outermost grid, if there is one left.
+    #[inline(always)]
+    fn load(&mut self, slot: usize) -> bool {
         self.sets.live &= !(1 << slot);
         self.sets.done &= !(1 << slot);
         while self.next < self.n {
@@ -70,14 +112,15 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             }
             if self.begin(slot, ray, index) {
                 self.sets.live |= 1 << slot;
-                return;
+                return true;
             }
             let Flight { ref query, ref ray, .. } = self.flights[slot];
             self.port.put(index, query.found(&self.sections, ray));
         }
+        false
     }
 
-    /// Whether a ray enters the outermost grid, and is not answered before.
+    /// Makes a ray ready to enter the outermost grid, if it is not answered before.
     #[inline(always)]
     fn begin(&mut self, slot: usize, ray: Ray, index: usize) -> bool {
         let l = self.lanes;
@@ -94,8 +137,10 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         }
         self.columns.turn(slot, course.mirror);
         // A t that rounds to tmin may lie below it, one that rounds to tmax above.
-        let range = [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
-        self.enter(slot, 0, range)
+        self.lists.ranges[slot] =
+            [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
+        self.lists.grids[slot] = 0;
+        true
     }
 
     /// Whether one of the occluders is all that a ray wants.
@@ -121,10 +166,11 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         false
     }
 
-    /// Whether a ray can be in a grid for tau in `range`; then it is.
+    /// Whether a ray can be in the grid that it is to enter; then it is.
     #[inline(always)]
-    fn enter(&mut self, slot: usize, grid: u32, range: [f64; 2]) -> bool {
+    fn enter(&mut self, slot: usize) -> bool {
         let l = self.lanes;
+        let (grid, range) = (self.lists.grids[slot], self.lists.ranges[slot]);
         let record = self.sections.grid(grid);
         if record.flags & TURNED != 0 {
             return self.enter_turned(slot, grid, range);
@@ -165,17 +211,18 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         }
     }
 
-    /// Goes down to a grid, over the part of the ray in the exit box. `on`: will go on in
-    /// this grid then.
+    /// Whether a ray goes down to a grid, over the part of it in the exit box. `on`: will go
+    /// on in this grid then.
     #[inline(always)]
-    pub fn descend(&mut self, slot: usize, on: bool) {
+    pub fn descend(&mut self, slot: usize, on: bool) -> bool {
         let flight = &mut self.flights[slot];
         let [from, until] = self.columns.range(slot);
         if until < from {
             // A hit has ended it before.
-            return self.leave(slot);
+            return false;
         }
         let range = [flight.span.low(from), flight.span.high(until)];
+        self.lists.ranges[slot] = range;
         if (on || !flight.grids.is_empty())
             && let Some(frame) = frames(self.frames, self.depth, slot).get_mut(flight.depth)
         {
@@ -184,9 +231,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             *frame = Frame { kept, mirror, span, grids, range };
             flight.depth += 1;
         }
-        if !self.enter(slot, self.lists.grids[slot], range) {
-            self.leave(slot);
-        }
+        true
     }
 
     /// Takes the next grid of a list.
@@ -201,32 +246,33 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
 
     /// Leaves a grid: for the next of a list, for the one above, or for good.
     #[inline(always)]
-    pub fn leave(&mut self, slot: usize) {
-        if self.sets.done >> slot & 1 == 0 && self.climb(slot) {
-            return;
+    fn leave(&mut self, slot: usize) -> Way {
+        if self.sets.done >> slot & 1 == 0 {
+            let way = self.climb(slot);
+            if !matches!(way, Way::Out) {
+                return way;
+            }
         }
         let Flight { index, ref query, ref ray, .. } = self.flights[slot];
         self.port.put(index, query.found(&self.sections, ray));
-        self.load(slot);
+        Way::Out
     }
 
-    /// Whether the ray goes on in the next grid of a list, or in the one above.
+    /// Where a ray goes from a grid that it is through with.
     #[inline(always)]
-    fn climb(&mut self, slot: usize) -> bool {
+    fn climb(&mut self, slot: usize) -> Way {
         while let Some(top) = self.flights[slot].depth.checked_sub(1) {
             let frame = match frames(self.frames, self.depth, slot).get_mut(top) {
                 Some(frame) => *frame,
-                None => return false,
+                None => return Way::Out,
             };
             let flight = &mut self.flights[slot];
             if !frame.grids.is_empty() {
                 flight.grids = frame.grids;
-                let grid = self.next_grid(slot);
+                self.lists.grids[slot] = self.next_grid(slot);
+                self.lists.ranges[slot] = frame.range;
                 frames(self.frames, self.depth, slot)[top].grids = self.flights[slot].grids;
-                if self.enter(slot, grid, frame.range) {
-                    return true;
-                }
-                continue;
+                return Way::Down;
             }
             flight.depth = top;
             flight.span = frame.span;
@@ -235,9 +281,9 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             self.face(slot, frame.mirror);
             if self.columns.goes_on(slot) {
                 self.sections.fetch_voxel(self.lanes, self.columns.number[slot]);
-                return true;
+                return Way::On;
             }
         }
-        false
+        Way::Out
     }
 }
