@@ -19,6 +19,7 @@ use crate::arena::layout::Triangle;
 use crate::exact::{self, Case};
 use crate::ray::Ray;
 
+pub use estimate::Apex;
 use estimate::{E, Estimate, Sides};
 
 type Vector = [f64; 3];
@@ -101,10 +102,17 @@ impl Line {
         Self { org: double(ray.org), dir: double(ray.dir), tmin, flags: ray.flags }
     }
 
-    /// The hit, if there is one with `tmin <= t <= tmax`.
+    /// A triangle as seen from the origin.
     #[inline(always)]
-    pub fn meet(&self, triangle: &impl Corners, tmax: f32) -> Option<Met> {
-        let near = Estimate::new(&self.org, &self.dir, triangle);
+    pub fn apex(&self, triangle: &impl Corners) -> Apex {
+        Apex::new(&self.org, triangle)
+    }
+
+    /// The hit, if there is one with `tmin <= t <= tmax`; `apex` is the triangle's from this
+    /// line's origin.
+    #[inline(always)]
+    pub fn meet(&self, apex: &Apex, triangle: &impl Corners, tmax: f32) -> Option<Met> {
+        let near = Estimate::new(apex, &self.dir);
         match near.sides() {
             Sides::Outside => None,
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => None,
@@ -129,8 +137,8 @@ impl Line {
 
     /// Whether there is a hit with `tmin <= t <= tmax`.
     #[inline(always)]
-    pub fn pierces(&self, triangle: &impl Corners, tmax: f32) -> bool {
-        let near = Estimate::new(&self.org, &self.dir, triangle);
+    pub fn pierces(&self, apex: &Apex, triangle: &impl Corners, tmax: f32) -> bool {
+        let near = Estimate::new(apex, &self.dir);
         match near.sides() {
             Sides::Outside => false,
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,
@@ -152,7 +160,7 @@ impl Line {
     /// that it is known to pierce.
     #[inline(always)]
     pub fn weights(&self, triangle: &impl Corners) -> (f32, f32) {
-        let near = Estimate::new(&self.org, &self.dir, triangle);
+        let near = Estimate::new(&self.apex(triangle), &self.dir);
         near.rounded_weights().unwrap_or_else(|| self.weights_exactly(&triangle.all()))
     }
 

@@ -15,7 +15,7 @@ use crate::arena::layout::Triangle;
 use crate::arena::{Sections, View};
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
-use crate::triangle::Line;
+use crate::triangle::{Apex, Line};
 
 /// What [`View::intersect_all`] found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -99,7 +99,7 @@ impl Query for Collect<'_> {
     }
 
     #[inline(always)]
-    fn meet(&mut self, line: &Line, triangle: &Triangle, _: u32) -> Option<bool> {
+    fn meet_from(&mut self, line: &Line, _: &Apex, triangle: &Triangle, _: u32) -> Option<bool> {
         self.take(line, triangle).then_some(false)
     }
 

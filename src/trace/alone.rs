@@ -10,7 +10,7 @@ use crate::triangle::{Line, Met, normal};
 /// fastest.
 #[inline(never)]
 pub(super) fn meet(line: &Line, triangle: &Triangle, limit: f32) -> Option<Met> {
-    line.meet(triangle, limit)
+    line.meet(&line.apex(triangle), triangle, limit)
 }
 
 /// The record of a hit.

@@ -4,7 +4,7 @@ use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
 use crate::simd::Lanes;
-use crate::triangle::{Line, Met, normal};
+use crate::triangle::{Apex, Line, Met, normal};
 
 /// What a walk looks for.
 pub(crate) trait Query: Copy {
@@ -18,8 +18,19 @@ pub(crate) trait Query: Copy {
     /// The largest `t` of interest.
     fn limit(&self) -> f32;
     /// Takes a triangle if the line meets it at `t <= limit`; then `true` ends the
-    /// walk.
-    fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool>;
+    /// walk. `apex` is the triangle's from the line's origin.
+    fn meet_from(
+        &mut self,
+        line: &Line,
+        apex: &Apex,
+        triangle: &Triangle,
+        number: u32,
+    ) -> Option<bool>;
+    /// [`Query::meet_from`] for one line.
+    #[inline(always)]
+    fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool> {
+        self.meet_from(line, &line.apex(triangle), triangle, number)
+    }
     /// What was found, once all has been met.
     fn found(&self, sections: &Sections<'_>, ray: &Ray) -> Self::Out;
 }
@@ -53,8 +64,14 @@ impl Query for Closest {
     }
 
     #[inline(always)]
-    fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool> {
-        let Met { t, weights } = line.meet(triangle, self.limit)?;
+    fn meet_from(
+        &mut self,
+        line: &Line,
+        apex: &Apex,
+        triangle: &Triangle,
+        number: u32,
+    ) -> Option<bool> {
+        let Met { t, weights } = line.meet(apex, triangle, self.limit)?;
         if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
             let Triangle { geom, prim, .. } = *triangle;
             *self = Self { limit: t, geom, prim, number, weights };
@@ -100,8 +117,8 @@ impl Query for Any {
     }
 
     #[inline(always)]
-    fn meet(&mut self, line: &Line, triangle: &Triangle, _: u32) -> Option<bool> {
-        self.found = line.pierces(triangle, self.tmax);
+    fn meet_from(&mut self, line: &Line, apex: &Apex, triangle: &Triangle, _: u32) -> Option<bool> {
+        self.found = line.pierces(apex, triangle, self.tmax);
         self.found.then_some(true)
     }
 

@@ -34,6 +34,19 @@ pub struct Estimate {
     det_error: f64,
 }
 
+/// A triangle as seen from the origin of rays: what does not depend on their directions.
+pub struct Apex {
+    /// The products of the way to the first corner with the edges.
+    sides: [Pair; 3],
+    normal: Vector,
+    height: f64,
+    /// Bounds of errors: of the height; and of the weights and the determinant, for a
+    /// direction whose components sum up to 1.
+    height_error: f64,
+    errors: Pair,
+    det_error: f64,
+}
+
 /// On which side of its three edges a line passes a triangle.
 pub enum Sides {
     Outside,
@@ -68,21 +81,19 @@ fn largest(a: [Pair; 3]) -> Pair {
     a[0].abs().max(a[1].abs()).max(a[2].abs())
 }
 
-impl Estimate {
+impl Apex {
     /// In pairs of what belongs to `e1` and what belongs to `e2`.
     #[inline(always)]
-    pub fn new(org: &Vector, dir: &Vector, triangle: &impl Corners) -> Self {
+    pub fn new(org: &Vector, triangle: &impl Corners) -> Self {
         let at = three(|k| triangle.along(k));
         let first = three(|k| Pair::widen(at[k][0], at[k][0]));
         let edges = three(|k| Pair::widen(at[k][1], at[k][2]).sub(first[k]));
         let to = three(|k| first[k].sub(Pair::splat(org[k])));
-        let d = three(|k| Pair::splat(dir[k]));
         // to x e1 and to x e2, whose products with dir are -v and u.
         let sides = three(|k| {
             let (i, j) = CYCLE[k];
             to[i].mul(edges[j]).sub(to[j].mul(edges[i]))
         });
-        let weights = d[0].mul(sides[0]).add(d[1].mul(sides[1])).add(d[2].mul(sides[2]));
         // e2 x e1
         let normal = three(|k| {
             let (i, j) = CYCLE[k];
@@ -92,17 +103,34 @@ impl Estimate {
         let m0 = largest(to);
         let m = largest(edges);
         let area = m.first() * m.second();
-        let bound = (20.0 * E) * (dir[0].abs() + dir[1].abs() + dir[2].abs());
-        let errors = m0.mul(m).mul(Pair::splat(bound));
+        Self {
+            sides,
+            normal,
+            height: dot(normal, three(|k| to[k].first())),
+            height_error: (64.0 * E) * m0.first() * area,
+            errors: m0.mul(m).mul(Pair::splat(20.0 * E)),
+            det_error: (20.0 * E) * area,
+        }
+    }
+}
+
+impl Estimate {
+    #[inline(always)]
+    pub fn new(apex: &Apex, dir: &Vector) -> Self {
+        let d = three(|k| Pair::splat(dir[k]));
+        let sides = &apex.sides;
+        let weights = d[0].mul(sides[0]).add(d[1].mul(sides[1])).add(d[2].mul(sides[2]));
+        let size = dir[0].abs() + dir[1].abs() + dir[2].abs();
+        let errors = apex.errors.mul(Pair::splat(size));
         Self {
             u: weights.second(),
             v: -weights.first(),
-            height: dot(normal, three(|k| to[k].first())),
-            det: dot(normal, *dir),
+            height: apex.height,
+            det: dot(apex.normal, *dir),
             u_error: errors.second(),
             v_error: errors.first(),
-            height_error: (64.0 * E) * m0.first() * area,
-            det_error: bound * area,
+            height_error: apex.height_error,
+            det_error: apex.det_error * size,
         }
     }
 

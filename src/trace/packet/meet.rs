@@ -13,9 +13,10 @@
 
 use super::lines::Lines;
 use super::{Packet, Part, RAYS, distance, eight};
+use crate::arena::layout::Triangle;
 use crate::simd::{Kernel, Lanes};
 use crate::trace::query::{Query, visible};
-use crate::triangle::Line;
+use crate::triangle::{Apex, Line};
 
 /// Bounds of the error of a product, over M m and as it is.
 const ERROR: f32 = 128.0 / (1u32 << 24) as f32;
@@ -131,11 +132,17 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
                 left &= left - 1;
                 self.work += 1 + (part.count / 16) as u32;
                 let mut rays = self.sides(&few, i, part);
+                if rays == 0 {
+                    continue;
+                }
+                let number = self.tables.due.numbers[at + i];
+                let triangle = self.sections.triangle(number);
+                let apex = Line::new(&self.tables.rays[0]).apex(triangle);
                 while rays != 0 {
                     let ray = rays.trailing_zeros() as usize % RAYS;
                     rays &= rays - 1;
                     if few.nearest[i] <= self.ends[ray] {
-                        self.decide(ray, self.tables.due.numbers[at + i]);
+                        self.decide(ray, &apex, triangle, number);
                     }
                 }
             }
@@ -252,13 +259,12 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
 
     /// The exact test.
     #[inline(always)]
-    fn decide(&mut self, ray: usize, number: u32) {
-        let triangle = self.sections.triangle(number);
+    fn decide(&mut self, ray: usize, apex: &Apex, triangle: &Triangle, number: u32) {
         let (record, query) = (&self.tables.rays[ray], &mut self.queries[ray]);
         if !visible(record, triangle) {
             return;
         }
-        if let Some(enough) = query.meet(&Line::new(record), triangle, number) {
+        if let Some(enough) = query.meet_from(&Line::new(record), apex, triangle, number) {
             let end = if enough { -1.0 } else { distance(query.limit(), self.speeds[ray]) };
             self.ends[ray] = end;
             self.nearer = true;
