@@ -9,6 +9,9 @@ use hug::{Hit, Isa, Ray, Scene, View, force_isa};
 use hug_kit::random::Random;
 use hug_kit::{Bounds, Mesh};
 
+/// 48 kB, and 8 for the thread itself.
+const STACK: usize = 56 << 10;
+
 /// As many as go together.
 const RAYS: usize = 64;
 
@@ -57,14 +60,16 @@ fn packet(mesh: &Mesh, bounds: &Bounds, random: &mut Random) -> Vec<Ray> {
             _ => about,
         }
     };
-    let ray = |random: &mut Random| {
+    let ray = |random: &mut Random| -> Ray {
         let aim = if width > 0.0 {
             about.map(|x| x + random.range(-width, width) as f32)
         } else {
             aim(random)
         };
-        let length = if lengths { random.range(0.01, 100.0) as f32 } else { 1.0 };
-        Ray::new(eye, [0, 1, 2].map(|k| (aim[k] - eye[k]) * length))
+        let way = [0, 1, 2].map(|k| f64::from(aim[k]) - f64::from(eye[k]));
+        let longest = way.iter().fold(f64::MIN_POSITIVE, |a, b| a.max(b.abs()));
+        let length = if lengths { random.range(0.01, 100.0) } else { 1.0 } / longest;
+        Ray::new(eye, way.map(|x| (x * length) as f32))
     };
     (0..RAYS).map(|_| ray(random)).collect()
 }
@@ -123,6 +128,54 @@ fn packets_are_single_rays() {
                 assert!(force_isa(set), "{set:?}");
                 check(&format!("{name} in {kind}, {set:?}"), &scene, &rays, &wanted);
             }
+        }
+    }
+}
+
+/// Rays of one packet that end sooner or later than each other, in the deepest grids.
+#[test]
+fn rays_of_many_lengths() {
+    for (name, mesh) in soups() {
+        let Some(bounds) = mesh.bounds() else { continue };
+        for (kind, options) in configurations() {
+            if !["auto", "r4", "r1 deep"].contains(&kind) {
+                continue;
+            }
+            let scene = build(&mesh, &options);
+            let mut random = Random::stream(0x9ac4e9);
+            for _ in 0..400 {
+                let mut rays = packet(&mesh, &bounds, &mut random);
+                for ray in &mut rays {
+                    let hit = scene.view().intersect(ray);
+                    let t = if hit.is_hit() { hit.t.abs().min(1e30) } else { 2.0 };
+                    ray.tmax = t * random.range(0.2, 1.5) as f32;
+                }
+                let wanted: Vec<Hit> = rays.iter().map(|r| scene.view().intersect(r)).collect();
+                check(&format!("{name} in {kind}"), &scene, &rays, &wanted);
+            }
+        }
+    }
+}
+
+/// In the stack that the documentation names, and a little for the thread itself.
+#[test]
+fn little_stack_suffices() {
+    for (name, mesh) in soups() {
+        let Some(bounds) = mesh.bounds() else { continue };
+        for (kind, options) in configurations() {
+            let scene = build(&mesh, &options);
+            let mut random = Random::stream(0x9ac4ea);
+            let rays: Vec<Ray> = (0..8).flat_map(|_| packet(&mesh, &bounds, &mut random)).collect();
+            let mut hits = vec![Hit::miss(7.0); rays.len()];
+            let search = move || {
+                for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
+                    scene.view().intersect_n(rays, hits);
+                }
+                hits.len()
+            };
+            let small = std::thread::Builder::new().stack_size(STACK).spawn(search);
+            let answered = small.expect("a thread").join().expect("no panic");
+            assert_eq!(answered, 8 * RAYS, "{name} in {kind}");
         }
     }
 }

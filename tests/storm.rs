@@ -33,7 +33,15 @@ fn query(view: &View<'_>, rays: &[Ray]) {
     let _ = (Stats::of(view), view.bounds(), view.bytes().len());
     // As many as are in flight, and some that take their places; on any instruction set, as
     // tests force them side by side.
-    let many: Vec<Ray> = rays.iter().cycle().take(rays.len().max(40)).copied().collect();
+    let mut many: Vec<Ray> = rays.iter().cycle().take(rays.len().max(40)).copied().collect();
+    // First those that go together, from one point.
+    for r in rays {
+        let together = (0..64).map(|i| {
+            let aside = |k: usize| [i % 8, i / 8, 0][k] as f32 * 1e-3;
+            Ray::new(r.org, [0, 1, 2].map(|k| r.dir[k] + aside(k))).with_range(0.0, r.tmax)
+        });
+        many.splice(0..0, together);
+    }
     let (mut hits, mut occluded) = (vec![Hit::miss(0.0); many.len()], vec![false; many.len()]);
     for set in Isa::ALL.into_iter().filter(|&set| force_isa(set)) {
         view.intersect_n(&many, &mut hits);
@@ -86,6 +94,10 @@ fn random_damage() {
         let mut damaged = bytes.clone();
         for _ in 0..=random.below(4) {
             mutate(&mut damaged, &mut random);
+        }
+        if random.chance(0.2) {
+            // A HUG that says it is a recursive grid.
+            put32(&mut damaged, STRUCTURE, 2);
         }
         match View::open(&damaged) {
             Ok(view) => {

@@ -17,6 +17,11 @@ fn query(view: &View<'_>, input: &mut Input<'_>) {
     for _ in 0..input.below(8) {
         rays.push(Ray::new(input.point(), input.point()).with_range(input.float(), input.float()));
     }
+    let (org, [x, y, z]) = (input.point(), input.point());
+    rays.extend((0..64).map(|i| {
+        let [aside, up] = [i % 8, i / 8].map(|k| k as f32 * 1e-3);
+        Ray::new(org, [x + aside, y, z + up])
+    }));
     let mut hits = vec![Hit::miss(0.0); rays.len()];
     let mut shadows = vec![false; rays.len()];
     view.intersect_n(&rays, &mut hits);

@@ -4,23 +4,33 @@ use super::{Packet, Part, eight};
 use crate::simd::Lanes;
 use crate::trace::query::Query;
 
+/// The rays of a part that do not end before some distance.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds {
+    /// The least and the greatest slope along x, and along y.
+    pub slopes: [[f32; 2]; 2],
+    /// A bit for each ray.
+    pub rays: u64,
+}
+
 impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
-    /// The least and the greatest slope along x, and along y, of the rays of a part that do
-    /// not end before a distance.
+    /// Those of rays that do not end before distance `from`.
     #[inline(always)]
-    pub(super) fn bounds(&self, part: Part, from: f64) -> [[f32; 2]; 2] {
+    pub(super) fn bounds(&self, part: Part, from: f64) -> Bounds {
         let l = self.lanes;
         let from = (from * (1.0 - f64::from(f32::EPSILON))) as f32;
         let mut bounds = [[f32::INFINITY, f32::NEG_INFINITY]; 2];
+        let mut rays = 0;
         if part.count < L::WIDE {
             for i in part.first..part.end() {
                 if from <= self.ends[i] {
+                    rays |= 1 << i;
                     for (k, bounds) in bounds.iter_mut().enumerate() {
                         extend(bounds, self.slopes[k][i]);
                     }
                 }
             }
-            return bounds;
+            return Bounds { slopes: bounds, rays };
         }
         for (slopes, bounds) in self.slopes.iter().zip(&mut bounds) {
             let (mut least, mut most) = (l.splat_wide(bounds[0]), l.splat_wide(bounds[1]));
@@ -28,6 +38,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             let mut i = part.first;
             while i < part.end() {
                 let ends = l.load_wide(eight(&self.ends, i));
+                rays |= u64::from(l.at_most(from, ends)) << i;
                 let s = l.load_wide(eight(slopes, i));
                 least = l.min_wide(least, l.choose_wide(from, ends, s, least));
                 most = l.max_wide(most, l.choose_wide(from, ends, s, most));
@@ -36,12 +47,12 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             let mut rows = [[0.0; 8]; 2];
             l.store_wide(least, &mut rows[0]);
             l.store_wide(most, &mut rows[1]);
-            for i in 0..L::WIDE {
-                bounds[0] = if rows[0][i] < bounds[0] { rows[0][i] } else { bounds[0] };
-                bounds[1] = if rows[1][i] > bounds[1] { rows[1][i] } else { bounds[1] };
+            for (&low, &high) in rows[0].iter().zip(&rows[1]).take(L::WIDE) {
+                bounds[0] = if low < bounds[0] { low } else { bounds[0] };
+                bounds[1] = if high > bounds[1] { high } else { bounds[1] };
             }
         }
-        bounds
+        Bounds { slopes: bounds, rays }
     }
 
     /// The distance at which the last ray of a part ends.

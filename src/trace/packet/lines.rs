@@ -1,5 +1,6 @@
 //! The pyramid of a packet, or of a part of it, in a grid.
 
+use super::bounds::Bounds;
 use super::{Packet, Part};
 use crate::arena::layout::{EXIT_BITS, EXIT_MAX, Grid};
 use crate::simd::Lanes;
@@ -38,15 +39,15 @@ pub(super) struct Lines {
     pub at: [f64; 3],
     /// The least and the greatest change of x, and of y, with the distance.
     pub slopes: Rect<f64>,
-    /// The same of rays as they are, along axes as they are.
-    pub bounds: [[f32; 2]; 2],
+    /// The rays in the pyramid, and their slopes in the units of the scene.
+    pub bounds: Bounds,
     /// Voxels in a unit of distance.
     pub scale: f64,
     /// Counts along x, y and z.
     pub n: [i32; 3],
     /// How far numbers of voxels are apart along x, y and z, turned likewise, and the
     /// number of the first of these.
-    strides: [i32; 3],
+    strides: [u32; 3],
     first: u32,
     /// The distances, in voxels, at which the pyramid can be in the grid.
     pub range: [f64; 2],
@@ -98,24 +99,24 @@ impl Lines {
         let n = [count(0), count(1), count(2)];
         let org = |k: usize| (place[k] - grid.lo[axes[k]]) * inv[k];
         let mut at = [org(0), org(1), org(2)];
-        if at.iter().any(|x| !(x.abs() <= REACH)) {
+        if at.iter().any(|x| x.abs() > REACH) {
             return None;
         }
-        let plane = i32::from(grid.n[0]) * i32::from(grid.n[1]);
-        let stride = |k: usize| [1, i32::from(grid.n[0]), plane][axes[k]];
+        let plane = u32::from(grid.n[0]) * u32::from(grid.n[1]);
+        let stride = |k: usize| [1, u32::from(grid.n[0]), plane][axes[k]];
         let mut strides = [stride(0), stride(1), stride(2)];
         let mut first = grid.first;
         if down {
             at[2] = f64::from(n[2]) - at[2];
-            first = first.wrapping_add_signed((n[2] - 1) * strides[2]);
-            strides[2] = -strides[2];
+            first = first.wrapping_add((n[2] as u32 - 1).wrapping_mul(strides[2]));
+            strides[2] = strides[2].wrapping_neg();
         }
         let scale = unit * inv[2];
         let bounds = packet.bounds(part, from);
         // Slopes are rounded.
         let room = |s: f32| f64::from(s.abs()) * f64::from(f32::EPSILON) + 1e-40;
         let wider = |[a, b]: [f32; 2]| [f64::from(a) - room(a), f64::from(b) + room(b)];
-        let [x, y] = [wider(bounds[0]), wider(bounds[1])];
+        let [x, y] = [wider(bounds.slopes[0]), wider(bounds.slopes[1])];
         let widths = [inv[0] / inv[2], inv[1] / inv[2]];
         let slopes = Rect { x: x.map(|s| s * widths[0]), y: y.map(|s| s * widths[1]) };
         let end = f64::from(n[2]) - at[2];
@@ -163,7 +164,8 @@ impl Lines {
     #[inline(always)]
     pub fn number(&self, [x, y, z]: [i32; 3]) -> u32 {
         let [a, b, c] = self.strides;
-        self.first.wrapping_add_signed(x * a + y * b + z * c)
+        let rows = (z as u32).wrapping_mul(c).wrapping_add((y as u32).wrapping_mul(b));
+        rows.wrapping_add((x as u32).wrapping_mul(a)).wrapping_add(self.first)
     }
 }
 

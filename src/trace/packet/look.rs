@@ -6,6 +6,9 @@ use crate::arena::layout::{BOX_CELLS, BOX_MARGIN, EXIT_BITS, EXIT_MAX, GRID_BIT,
 use crate::simd::{Kernel, Lanes};
 use crate::trace::query::Query;
 
+/// More than what is rounded here, in voxels.
+const ROOM: f32 = 1.0 / 2048.0;
+
 /// The list of a voxel, and the distances between which it is of interest, in voxels.
 #[derive(Clone, Copy)]
 pub(super) struct List {
@@ -79,7 +82,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         let x = Side::new(self.axes[0], at[0], exit);
         let y = Side::new(self.axes[1], at[1], exit);
         let z = Side::new(self.axes[2], z, exit);
-        // The distance at which boxes begin, from `near` on, as of bounds of theirs.
+        // Where cell 0 begins, the way the rays go or turned, from `near` on.
         let begin = (z.low - lines.at[2] - near) as f32;
         let turned = (f64::from(lines.n[2]) - z.low - lines.at[2] - near) as f32;
         let depth = l.splat_wide((far - near) as f32 + ROOM);
@@ -94,15 +97,13 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             edge(lines.at[1], slopes.y[0], y.low, -ROOM),
             edge(lines.at[1], slopes.y[1], y.low, ROOM),
         ];
-        self.work += 6 + len / 3;
+        self.work = self.work.saturating_add(6 + len / 3);
         let refs = place + LIST_HEAD as u32;
         let mut i = 0;
         while i < len {
             let words = l.words(sections.eight(refs + len + i));
-            let bits =
-                |bound: &Bound| l.mul_wide(l.field(words, &bound.mask), l.splat_wide(bound.scale));
-            let first = bits(&z.near);
-            let last = bits(&z.far);
+            let first = place_of(l, words, &z.near);
+            let last = place_of(l, words, &z.far);
             let (first, last) = if self.down {
                 let turned = l.splat_wide(turned);
                 (
@@ -121,13 +122,11 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             let first = l.max_wide(first, room);
             let last = l.min_wide(last, depth);
             for (side, [low, high]) in [(&x, [edges[0], edges[1]]), (&y, [edges[2], edges[3]])] {
-                let line = |(slope, start): (f32, f32), at: L::Wide| {
-                    l.mul_add_wide(l.splat_wide(slope), at, l.splat_wide(start))
-                };
-                let lowest = l.min_wide(line(low, first), line(low, last));
-                let highest = l.max_wide(line(high, first), line(high, last));
-                let end = l.add_wide(bits(&side.far), l.splat_wide(side.cell));
-                met &= l.at_most(lowest, end) & l.at_most(bits(&side.near), highest);
+                let lowest = l.min_wide(along(l, low, first), along(l, low, last));
+                let highest = l.max_wide(along(l, high, first), along(l, high, last));
+                let end = l.add_wide(place_of(l, words, &side.far), l.splat_wide(side.cell));
+                let begin = place_of(l, words, &side.near);
+                met &= l.at_most(lowest, end) & l.at_most(begin, highest);
             }
             met &= !u32::MAX.checked_shl(len - i).unwrap_or(0);
             let mut these = [0; 8];
@@ -149,7 +148,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             self.nearer = true;
             return;
         }
-        if !self.tables.is_new(r, part.rays()) {
+        if !self.tables.is_new(r, lines.bounds.rays) {
             return;
         }
         self.sections.fetch_triangle(self.lanes, r);
@@ -159,5 +158,14 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
     }
 }
 
-/// More than what is rounded here, in voxels.
-const ROOM: f32 = 1.0 / 2048.0;
+/// The places that bounds of boxes stand for.
+#[inline(always)]
+fn place_of<L: Lanes>(l: L, words: L::Words, bound: &Bound) -> L::Wide {
+    l.mul_wide(l.field(words, &bound.mask), l.splat_wide(bound.scale))
+}
+
+/// Where a line is at some distances, from its slope and its start.
+#[inline(always)]
+fn along<L: Lanes>(l: L, (slope, start): (f32, f32), at: L::Wide) -> L::Wide {
+    l.mul_add_wide(l.splat_wide(slope), at, l.splat_wide(start))
+}

@@ -11,6 +11,7 @@
 //! product of two edges. These are off, likewise, by at most `48 e M m^2` and `76 e m^2`;
 //! `128 e` is used for both.
 
+use super::bounds::Bounds;
 use super::lines::Lines;
 use super::{Packet, Part, RAYS, distance, eight};
 use crate::arena::layout::Triangle;
@@ -45,7 +46,7 @@ impl Due {
 struct Meet<'w, 'a, 't, Q, L> {
     packet: &'w mut Packet<'a, 't, Q, L>,
     part: Part,
-    bounds: [[f32; 2]; 2],
+    bounds: Bounds,
 }
 
 impl<Q: Query, L: Lanes> Kernel<L> for Meet<'_, '_, '_, Q, L> {
@@ -112,26 +113,26 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
     }
 
     #[inline(never)]
-    fn meet_all(&mut self, part: Part, bounds: [[f32; 2]; 2]) {
+    fn meet_all(&mut self, part: Part, bounds: Bounds) {
         let lanes = self.lanes;
         lanes.run(Meet { packet: self, part, bounds })
     }
 
     #[inline(always)]
-    fn meet(&mut self, part: Part, bounds: [[f32; 2]; 2]) {
+    fn meet(&mut self, part: Part, bounds: Bounds) {
         let mut few = Few::NONE;
         let len = core::mem::take(&mut self.tables.due.len);
-        self.work += len as u32;
+        self.work = self.work.saturating_add(len as u32);
         let end = self.end(part) as f32;
         let mut at = 0;
         while at < len {
-            let mut left = self.sieve(&mut few, at, bounds, end);
+            let mut left = self.sieve(&mut few, at, bounds.slopes, end);
             left &= !u32::MAX.checked_shl((len - at) as u32).unwrap_or(0);
             while left != 0 {
                 let i = left.trailing_zeros() as usize % 8;
                 left &= left - 1;
                 self.work += 1 + (part.count / 16) as u32;
-                let mut rays = self.sides(&few, i, part);
+                let mut rays = self.sides(&few, i, part) & bounds.rays;
                 if rays == 0 {
                     continue;
                 }
@@ -227,7 +228,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         (all_up | all_down) & ahead
     }
 
-    /// A bit for each ray of a part that may pierce triangle `i`.
+    /// A bit for each ray that may pierce triangle `i`, of the rows that a part is in.
     #[inline(always)]
     fn sides(&self, few: &Few, i: usize, part: Part) -> u64 {
         let l = self.lanes;
@@ -254,7 +255,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             rays |= u64::from(inside & ahead) << ray;
             ray += L::WIDE;
         }
-        rays & part.rays()
+        rays
     }
 
     /// The exact test.

@@ -10,12 +10,13 @@
 //! and one triangle at a time, so answers are those of single rays, bit for bit.
 //!
 //! Where voxels are small beside the pyramid it is halved, down to single rays. Where that
-//! happens often rays had better go as others do, so work is counted, and a packet that takes
-//! much of it says so ([`Outcome`]).
+//! happens often rays had better go as others do, so work is counted, and after a packet that
+//! took much of it some go apart ([`Progress`]).
 //!
 //! The pyramid is rounded outward. Its error in a grid is that of a few operations in `f64`
-//! on coordinates of at most 2^36 voxels, less than 2^-14 of a voxel, and footprints are
-//! larger than what they are of by 2^-10; packets that come from farther away are given up.
+//! on coordinates of at most 2^36 voxels, less than 2^-14 of a voxel, and that of the cells,
+//! which are rounded to `f32`: at most 2^-13 in a row of 2^11. Footprints are larger than
+//! what they are of by 2^-10. Packets that come from farther away are given up.
 
 mod bounds;
 mod lines;
@@ -41,14 +42,14 @@ const ROOM: usize = RAYS + 8;
 /// products of `meet` stay in the range of `f32`.
 const RANGE: core::ops::Range<f32> = 1e-12..1e12;
 
-/// How much work a packet is worth, and at which it is given up: rays apart take some 40
-/// times 25 instructions each beside what is the same for both.
+/// How much work a packet is worth, and at which it is given up. Rays apart take some 40
+/// times 25 instructions each beside what is the same for both, but wait less for memory.
 const ENOUGH: u32 = 28 * RAYS as u32;
 const TOO_MUCH: u32 = 4 * ENOUGH;
 
 /// The longest direction along z: a hit whose t rounds to 0 may lie behind the origin by
 /// 2^-150 of it, which is then less than the least normal `f32`, and than 2^-10 of any voxel.
-const FASTEST: f32 = 1e6;
+const FASTEST: f32 = 1e5;
 
 /// How much the packet's slopes may differ along an axis.
 const SPREAD: f32 = 0.25;
@@ -68,11 +69,6 @@ impl Part {
 
     fn end(self) -> usize {
         self.first + self.count
-    }
-
-    /// A bit for each ray.
-    fn rays(self) -> u64 {
-        (u64::MAX >> (64 - self.count)) << self.first
     }
 
     fn halves(self) -> [Self; 2] {
@@ -150,42 +146,62 @@ pub(super) struct Packet<'a, 't, Q, L> {
     lost: bool,
 }
 
-/// Takes rays `first` and following through as a packet, if they are one.
+/// Takes rays from `next` on as packets, as long as they are packets and that is worth it.
 pub(super) struct Together<'a, 'p, Q: Query> {
     pub view: &'a View<'a>,
     pub port: &'p mut dyn Port<Q::Out>,
-    pub first: usize,
-    pub tables: &'p mut Tables,
+    /// The next ray of the stream, and their number.
+    pub next: usize,
+    pub n: usize,
 }
 
-/// What became of rays that might have been a packet.
-pub(super) enum Outcome {
-    /// They are none, and are still to be answered.
-    Apart,
-    /// They are answered, but the next had better go alone.
-    Wide,
-    /// They are answered.
-    Narrow,
+/// What became of it.
+pub(super) struct Progress {
+    /// The first ray that is still to be answered.
+    pub next: usize,
+    /// Whether there was a packet that was worth it.
+    pub worth: bool,
+    /// Whether the last rays looked at were a packet at all.
+    pub alike: bool,
 }
 
 impl<Q: Query, L: Lanes> Kernel<L> for Together<'_, '_, Q> {
-    type Out = Outcome;
+    type Out = Progress;
     #[inline(always)]
-    fn run(self, l: L) -> Outcome {
-        let Self { view, port, first, tables } = self;
-        for (i, ray) in tables.rays.iter_mut().enumerate() {
-            *ray = port.ray(first + i);
+    fn run(self, l: L) -> Progress {
+        let Self { view, port, mut next, n } = self;
+        let mut tables = Tables::NONE;
+        let (mut worth, mut alike) = (false, true);
+        while n - next >= RAYS {
+            for (i, ray) in tables.rays.iter_mut().enumerate() {
+                *ray = port.ray(next + i);
+            }
+            let Some(mut packet) = Packet::<Q, L>::new(l, view, &mut tables) else {
+                alike = false;
+                break;
+            };
+            packet.run();
+            if packet.lost {
+                break;
+            }
+            for (i, (query, ray)) in packet.queries.iter().zip(&packet.tables.rays).enumerate() {
+                port.put(next + i, query.found(&packet.sections, ray));
+            }
+            next += RAYS;
+            if packet.work > ENOUGH {
+                break;
+            }
+            worth = true;
         }
-        let Some(mut packet) = Packet::<Q, L>::new(l, view, tables) else { return Outcome::Apart };
-        packet.run();
-        if packet.lost {
-            return Outcome::Apart;
-        }
-        for (i, (query, ray)) in packet.queries.iter().zip(&packet.tables.rays).enumerate() {
-            port.put(first + i, query.found(&packet.sections, ray));
-        }
-        if packet.work > ENOUGH { Outcome::Wide } else { Outcome::Narrow }
+        Progress { next, worth, alike }
     }
+}
+
+/// Whether a scene is one for packets: not a HUG, whose grids are in many voxels, nor one
+/// with grids that are turned.
+pub(super) fn suits(view: &View) -> bool {
+    let header = view.header();
+    header.structure != Structure::Hug as u32 && header.frames.count == 0
 }
 
 /// Eight from number `i` on.
@@ -220,8 +236,7 @@ impl<'a, 't, Q: Query, L: Lanes> Packet<'a, 't, Q, L> {
         };
         let axes = [(z + 1) % 3, (z + 2) % 3, z];
         let down = dir[z] < 0.0;
-        // A NaN is not itself; neither is an infinity less itself.
-        let mut alike = org.iter().all(|x| x - x == 0.0);
+        let mut alike = org.iter().all(|x| x.is_finite());
         for ray in rays {
             alike &= (ray.org == org) & (ray.tmin >= 0.0) & (ray.tmin <= ray.tmax);
             alike &= ray.tmin < f32::INFINITY;
@@ -258,8 +273,7 @@ impl<'a, 't, Q: Query, L: Lanes> Packet<'a, 't, Q, L> {
             let [below, above] = [org[k] - header.lower[k], header.upper[k] - org[k]];
             far.max(below).max(above)
         });
-        let plain = header.structure != Structure::Hug as u32 && header.frames.count == 0;
-        if !plain || !RANGE.contains(&far) {
+        if !RANGE.contains(&far) {
             return None;
         }
         let org = axes.map(|k| org[k]);
@@ -297,7 +311,7 @@ impl<'a, 't, Q: Query, L: Lanes> Packet<'a, 't, Q, L> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, RAYS, Tables, Together};
+    use super::{Progress, RAYS, Together, suits};
     use crate::options::{Options, Structure};
     use crate::ray::{Hit, Ray};
     use crate::simd::{Lanes, Portable};
@@ -307,8 +321,9 @@ mod tests {
     use std::vec;
     use std::vec::Vec;
 
-    /// A sheet of `n` by `n` squares, not quite flat, and a camera `away` from it.
-    fn outcome(n: u32, away: f32, spread: f32) -> Outcome {
+    /// Sixty-four rays from a camera `away` from a sheet of `n` by `n` squares, not quite
+    /// flat: whether they were answered, and whether that was worth it.
+    fn outcome(n: u32, away: f32, spread: f32) -> [bool; 2] {
         let place = |i: u32| i as f32 / n as f32;
         let corner = |i: u32| [place(i % (n + 1)), place(i / (n + 1)), (i % 7) as f32 * 1e-3];
         let vertices: Vec<[f32; 3]> = (0..(n + 1) * (n + 1)).map(corner).collect();
@@ -326,24 +341,23 @@ mod tests {
         let rays: Vec<Ray> = (0..RAYS).map(ray).collect();
         let mut answers = vec![Hit::miss(7.0); RAYS];
         let mut port = Slices { rays: &rays, answers: &mut answers };
-        let mut tables = Tables::NONE;
-        let together =
-            Together::<Closest> { view: &view, port: &mut port, first: 0, tables: &mut tables };
-        let outcome = Portable.run(together);
-        if !matches!(outcome, Outcome::Apart) {
+        assert!(suits(&view));
+        let together = Together::<Closest> { view: &view, port: &mut port, next: 0, n: RAYS };
+        let Progress { next, worth, .. } = Portable.run(together);
+        if next > 0 {
             for (ray, hit) in rays.iter().zip(&answers) {
                 assert!(hit.is_hit());
                 assert_eq!(*hit, view.intersect(ray));
             }
         }
-        outcome
+        [next > 0, worth]
     }
 
     /// Rays that are alike do go together, and say so when it was not worth it.
     #[test]
     fn some_are_worth_it() {
-        assert!(matches!(outcome(40, 3.0, 1e-3), Outcome::Narrow));
-        assert!(matches!(outcome(400, 3.0, 2e-2), Outcome::Wide | Outcome::Apart));
-        assert!(matches!(outcome(40, 3.0, 1.0), Outcome::Apart));
+        assert_eq!(outcome(40, 3.0, 1e-3), [true, true]);
+        assert!(!outcome(400, 3.0, 2e-2)[1]);
+        assert_eq!(outcome(40, 3.0, 1.0), [false, false]);
     }
 }

@@ -48,16 +48,22 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         let start = from * lines.scale;
         while z < lines.n[2] {
             let slab = f64::from(z) - lines.at[2];
+            // A part begins where a slab does, and so would be in the one before again.
+            if slab + 1.0 <= start {
+                z += 1;
+                continue;
+            }
             let near = if slab > start { slab } else { start };
             let range = [near, slab + 1.0];
             if near > lines.range[1] || near > end * lines.scale {
                 return;
             }
+            self.work = self.work.saturating_add(1);
             let Some(rect) = lines.voxels(range) else {
                 z += 1;
                 continue;
             };
-            self.work += 4 + rect.count() as u32;
+            self.work = self.work.saturating_add(3 + rect.count() as u32);
             self.lost |= self.work > TOO_MUCH;
             if self.lost {
                 return;

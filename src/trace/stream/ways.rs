@@ -86,10 +86,11 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
                 }
             }
             for slot in Slots(core::mem::take(&mut moves.load)) {
-                moves.enter |= u32::from(self.load(slot)) << slot;
+                self.load(slot);
             }
             for slot in Slots(core::mem::take(&mut moves.enter)) {
-                moves.leave |= u32::from(!self.enter(slot)) << slot;
+                let (grid, range) = (self.lists.grids[slot], self.lists.ranges[slot]);
+                moves.leave |= u32::from(!self.enter(slot, grid, range)) << slot;
             }
             if moves.leave == 0 {
                 return;
@@ -97,9 +98,9 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         }
     }
 
-    /// Puts the next ray in a slot, to enter the outermost grid, if there is one left.
+    /// Puts the next ray in a slot, in the outermost grid, if there is one left.
     #[inline(always)]
-    fn load(&mut self, slot: usize) -> bool {
+    fn load(&mut self, slot: usize) {
         self.sets.live &= !(1 << slot);
         self.sets.done &= !(1 << slot);
         while self.next < self.n {
@@ -112,15 +113,14 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             }
             if self.begin(slot, ray, index) {
                 self.sets.live |= 1 << slot;
-                return true;
+                return;
             }
             let Flight { ref query, ref ray, .. } = self.flights[slot];
             self.port.put(index, query.found(&self.sections, ray));
         }
-        false
     }
 
-    /// Makes a ray ready to enter the outermost grid, if it is not answered before.
+    /// Whether a ray enters the outermost grid, and is not answered before.
     #[inline(always)]
     fn begin(&mut self, slot: usize, ray: Ray, index: usize) -> bool {
         let l = self.lanes;
@@ -137,10 +137,8 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         }
         self.columns.turn(slot, course.mirror);
         // A t that rounds to tmin may lie below it, one that rounds to tmax above.
-        self.lists.ranges[slot] =
-            [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
-        self.lists.grids[slot] = 0;
-        true
+        let range = [-beyond(-ray.tmin) * course.per_t, beyond(ray.tmax) * course.per_t];
+        self.enter(slot, 0, range)
     }
 
     /// Whether one of the occluders is all that a ray wants.
@@ -166,11 +164,10 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         false
     }
 
-    /// Whether a ray can be in the grid that it is to enter; then it is.
+    /// Whether a ray can be in a grid for tau in `range`; then it is.
     #[inline(always)]
-    fn enter(&mut self, slot: usize) -> bool {
+    fn enter(&mut self, slot: usize, grid: u32, range: [f64; 2]) -> bool {
         let l = self.lanes;
-        let (grid, range) = (self.lists.grids[slot], self.lists.ranges[slot]);
         let record = self.sections.grid(grid);
         if record.flags & TURNED != 0 {
             return self.enter_turned(slot, grid, range);
