@@ -17,11 +17,6 @@ fn query(view: &View<'_>, input: &mut Input<'_>) {
     for _ in 0..input.below(8) {
         rays.push(Ray::new(input.point(), input.point()).with_range(input.float(), input.float()));
     }
-    let (org, [x, y, z]) = (input.point(), input.point());
-    rays.extend((0..64).map(|i| {
-        let [aside, up] = [i % 8, i / 8].map(|k| k as f32 * 1e-3);
-        Ray::new(org, [x + aside, y, z + up])
-    }));
     let mut hits = vec![Hit::miss(0.0); rays.len()];
     let mut shadows = vec![false; rays.len()];
     view.intersect_n(&rays, &mut hits);
@@ -63,6 +58,15 @@ fn query(view: &View<'_>, input: &mut Input<'_>) {
     }
     Lengths::of(view).histogram(view, 0.2, &mut counts);
     let _ = (view.bounds(), view.bytes().len());
+    // As many from one point as go together.
+    let (org, [x, y, z]) = (input.point(), input.point());
+    let ray = |i: u32| {
+        let [right, up] = [i % 8, i / 8].map(|k| k as f32 * 1e-3);
+        Ray::new(org, [x + right, y, z + up])
+    };
+    let rays: Vec<Ray> = (0..64).map(ray).collect();
+    let mut hits = vec![Hit::miss(0.0); rays.len()];
+    view.intersect_n(&rays, &mut hits);
 }
 
 /// The target.

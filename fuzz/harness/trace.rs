@@ -71,6 +71,26 @@ fn check(view: &View<'_>, rays: &[Ray]) {
     }
 }
 
+/// Rays from one point, about the way of one of them, as many as go together: `spread`
+/// apart, and ending at some part of the way to a hit.
+fn check_packet(view: &View<'_>, ray: &Ray, spread: f32) {
+    let hit = view.intersect_brute(ray);
+    let rays: Vec<Ray> = (0..64)
+        .map(|i| {
+            let [right, up] = [i % 8, i / 8].map(|k| k as f32 * spread);
+            let [x, y, z] = ray.dir;
+            let dir = [x + right * y, y + up * z, z + right * x];
+            let tmax = if hit.is_hit() && i % 3 > 0 { hit.t * (i as f32 / 32.0) } else { ray.tmax };
+            Ray { dir, tmin: ray.tmin.max(0.0), tmax, ..*ray }
+        })
+        .collect();
+    let mut hits = vec![Hit::miss(0.0); rays.len()];
+    view.intersect_n(&rays, &mut hits);
+    for (ray, hit) in rays.iter().zip(&hits) {
+        assert_eq!(bits(hit), bits(&view.intersect_brute(ray)), "{ray:?} in a packet");
+    }
+}
+
 /// The target.
 pub fn trace(data: &[u8]) {
     let mut input = Input::new(data);
@@ -96,4 +116,6 @@ pub fn trace(data: &[u8]) {
     check(&view, &rays);
     rays.iter().for_each(|ray| check_all(&view, &soup, ray, room));
     probes.iter().for_each(|probe| check_near(&view, probe));
+    let spread = [1e-4, 1e-3, 1e-2][input.below(3)];
+    rays.iter().take(4).for_each(|ray| check_packet(&view, ray, spread));
 }
