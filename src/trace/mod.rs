@@ -6,6 +6,26 @@
 //! `profile` what is counted, `budget` ends a walk early, `work` bounds what one can do.
 //! `all` and `filter` are walks with other ends, `alone` is about one triangle.
 
+/// One of each axis, corner or edge. A closure might not be compiled for the instruction set.
+macro_rules! each {
+    ($k:ident => $e:expr) => {
+        [
+            {
+                let $k = 0;
+                $e
+            },
+            {
+                let $k = 1;
+                $e
+            },
+            {
+                let $k = 2;
+                $e
+            },
+        ]
+    };
+}
+
 mod all;
 mod alone;
 mod bounds;

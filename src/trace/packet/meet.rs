@@ -57,26 +57,6 @@ impl<Q: Query, L: Lanes> Kernel<L> for Meet<'_, '_, '_, Q, L> {
     }
 }
 
-/// One of each edge. A closure might not be compiled for the instruction set.
-macro_rules! edges {
-    ($k:ident => $e:expr) => {
-        [
-            {
-                let $k = 0;
-                $e
-            },
-            {
-                let $k = 1;
-                $e
-            },
-            {
-                let $k = 2;
-                $e
-            },
-        ]
-    };
-}
-
 /// Some triangles, lane by lane.
 struct Few {
     /// Normals, edge by edge, x, y and z of each.
@@ -161,15 +141,15 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         let ys = l.columns(|i| y.row(rows[i]));
         let zs = l.columns(|i| z.row(rows[i]));
         let org = [l.splat_wide(self.org[0]), l.splat_wide(self.org[1]), l.splat_wide(self.org[2])];
-        let a = edges!(k => l.sub_wide(xs[k], org[0]));
-        let b = edges!(k => l.sub_wide(ys[k], org[1]));
+        let a = each!(k => l.sub_wide(xs[k], org[0]));
+        let b = each!(k => l.sub_wide(ys[k], org[1]));
         let c = if self.down {
-            edges!(k => l.sub_wide(org[2], zs[k]))
+            each!(k => l.sub_wide(org[2], zs[k]))
         } else {
-            edges!(k => l.sub_wide(zs[k], org[2]))
+            each!(k => l.sub_wide(zs[k], org[2]))
         };
         // Edges, not from corners that were rounded.
-        let next = edges!(k => [
+        let next = each!(k => [
             l.sub_wide(xs[(k + 1) % 3], xs[k]),
             l.sub_wide(ys[(k + 1) % 3], ys[k]),
             if self.down {
@@ -178,8 +158,8 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
                 l.sub_wide(zs[(k + 1) % 3], zs[k])
             },
         ]);
-        let far_off = highest(l, edges!(k => largest(l, [a[k], b[k], c[k]])));
-        let size = highest(l, edges!(k => largest(l, next[k])));
+        let far_off = highest(l, each!(k => largest(l, [a[k], b[k], c[k]])));
+        let size = highest(l, each!(k => largest(l, next[k])));
         let error =
             l.mul_add_wide(l.mul_wide(far_off, l.splat_wide(ERROR)), size, l.splat_wide(LEAST));
         let minus = l.sub_wide(l.splat_wide(0.0), error);
@@ -232,10 +212,10 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
     #[inline(always)]
     fn sides(&self, few: &Few, i: usize, part: Part) -> u64 {
         let l = self.lanes;
-        let n = edges!(e => edges!(k => l.splat_wide(few.normals[e][k][i])));
+        let n = each!(e => each!(k => l.splat_wide(few.normals[e][k][i])));
         let error = l.splat_wide(few.errors[i]);
         let minus = l.splat_wide(-few.errors[i]);
-        let plane = edges!(k => l.splat_wide(few.plane[k][i]));
+        let plane = each!(k => l.splat_wide(few.plane[k][i]));
         let plane_error = l.splat_wide(few.plane_errors[i]);
         let height = l.splat_wide(few.heights[i]);
         let mut rays = 0u64;
@@ -243,7 +223,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         while ray < part.end() {
             let x = l.load_wide(eight(&self.slopes[0], ray));
             let y = l.load_wide(eight(&self.slopes[1], ray));
-            let side = edges!(e => l.mul_add_wide(x, n[e][0], l.mul_add_wide(y, n[e][1], n[e][2])));
+            let side = each!(e => l.mul_add_wide(x, n[e][0], l.mul_add_wide(y, n[e][1], n[e][2])));
             let least = l.min_wide(l.min_wide(side[0], side[1]), side[2]);
             let most = l.max_wide(l.max_wide(side[0], side[1]), side[2]);
             // The distance is the height over this.

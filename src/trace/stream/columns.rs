@@ -14,26 +14,6 @@ pub(super) const SLOTS: usize = 32;
 /// Rows of eight are read wherever one may begin.
 const ROOM: usize = SLOTS + 8;
 
-/// One of each axis. A closure might not be compiled for the instruction set.
-macro_rules! each {
-    ($k:ident => $e:expr) => {
-        [
-            {
-                let $k = 0;
-                $e
-            },
-            {
-                let $k = 1;
-                $e
-            },
-            {
-                let $k = 2;
-                $e
-            },
-        ]
-    };
-}
-
 mod step;
 
 type Column = [f32; ROOM];
