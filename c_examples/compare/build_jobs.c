@@ -32,9 +32,9 @@ void hug_job_enter(hug_job *job, const scene *from, const hug_build_desc *option
     out->self = job;
 }
 
-void hug_job_share(hug_job *job, team *with)
+void hug_job_share(hug_job *job, pool *with)
 {
-    job->options.parallel_for = team_run;
+    job->options.parallel_for = pool_run;
     job->options.parallel_user = with;
 }
 

@@ -4,7 +4,7 @@
 
 #include "compare/embree_side.h"
 #include "compare/rounds.h"
-#include "compare/team.h"
+#include "lessons/pool.h"
 #include "hug.h"
 
 typedef struct {
@@ -17,8 +17,8 @@ typedef struct {
 void hug_job_enter(hug_job *job, const scene *from, const hug_build_desc *options,
                    hug_structure structure, hug_scene **built, contender *out);
 
-/* The same on the threads of a team. */
-void hug_job_share(hug_job *job, team *with);
+/* The same on the threads of a pool. */
+void hug_job_share(hug_job *job, pool *with);
 
 /* In a device that is open and stays so. */
 void embree_side_enter(embree_side *side, contender *out);

@@ -17,7 +17,7 @@ typedef struct {
     hug_job hug[COMPARED_COUNT];
     hug_job shared[COMPARED_COUNT]; /* on the lent threads */
     hug_scene *shared_built[COMPARED_COUNT];
-    team lent;
+    pool lent; /* of no thread unless some are lent */
     embree_job threads;
     contender contenders[JOBS];
     build_row *rows[JOBS]; /* what is to be filled for each */
@@ -42,7 +42,7 @@ static void enter_shared(builder *b)
 {
     comparison *c = b->c;
     int i;
-    b->lent.threads = c->with->threads;
+    pool_start(&b->lent, c->with->threads);
     for (i = 0; i < COMPARED_COUNT; i++) {
         if (!(c->with->structures & (1u << i)))
             continue;
@@ -162,6 +162,8 @@ int run_builds(comparison *c)
     b.c = c;
     ok = enter_all(&b) && measure(&b) && fill_sizes(&b) && keep(&b);
     embree_close(&b.threads.side);
+    if (b.lent.started > 0)
+        pool_stop(&b.lent);
     for (i = 0; i < COMPARED_COUNT; i++)
         hug_free(b.shared_built[i]);
     free(b.seconds);

@@ -2,140 +2,183 @@
 //! object meets and count the objects of each voxel, turn counts into positions, put the
 //! objects there.
 
-use super::control::Control;
+mod tasks;
+
 use super::draft::{Crowded, Span};
 use super::footprint::Near;
 use super::frame::Grid;
 use super::overlap::{Range, voxels};
-use super::turn::{Turn, place};
 use crate::Error;
 use crate::arena::layout::{GRID_BIT, Triangle};
 
-/// Ends a chain of objects.
-const NONE: u32 = u32::MAX;
+pub use tasks::find_in_tasks;
 
-/// A grid while it is filled.
-pub struct Buckets<'a> {
-    pub grids: &'a mut [Grid],
-    /// Of all grids, or none.
-    pub turns: &'a [Turn],
-    pub number: usize,
-    /// Free memory for voxels, then the grid's, and the number of the first.
+/// A voxel that no object was found for yet.
+pub const EMPTY: Span = Span { start: 0, count: 0 };
+
+/// What finding writes to.
+pub struct Notes<'a> {
+    /// Of the grid's voxels and perhaps more.
     pub spans: &'a mut [Span],
-    pub first_span: usize,
-    /// Free memory for references, and the number of the first.
-    pub refs: &'a mut [u32],
-    pub first_ref: usize,
     /// For each object the number of voxels that it meets, then these, ascending.
     pub stream: &'a mut [u32],
+    /// Where each object's part of the stream begins, of as many as there is room for.
+    pub starts: &'a mut [u32],
 }
 
-impl<'a> Buckets<'a> {
-    /// Notes which voxels objects meet, and how many there are for each voxel. `starts`:
-    /// where each object's part of the stream begins, of as many as there is room for.
-    pub fn find(
-        &mut self,
-        objects: &[u32],
-        triangle: impl Fn(u32) -> Triangle,
-        starts: &mut [u32],
-        (max_refs, crowded): (u32, Crowded),
-        control: &mut Control<'_>,
-    ) -> Result<(), Error> {
-        let budget = objects.len().saturating_mul(max_refs as usize);
-        // Objects whose boxes fill the grid cost time even where they leave no
-        // references.
-        let work = if crowded == Crowded::Fail { usize::MAX } else { budget.saturating_mul(4) };
-        loop {
-            self.grids[self.number].first = self.first_span as u32;
-            let grid = self.grids[self.number];
-            let near = Near::new(&grid);
-            let spans = self.spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
-            spans.fill(Span { start: NONE, count: 0 });
-            control.count(spans.len());
-            let stream = &mut *self.stream;
-            let (mut end, mut rows, mut seen) = (0, 0, 0);
-            for &object in objects {
-                let head = end;
-                end += 1;
-                let mut visit = |voxel: usize| {
-                    spans[voxel].count += 1;
-                    // Beyond the end the grid is over its budget.
-                    if let Some(entry) = stream.get_mut(end) {
+impl Notes<'_> {
+    /// The same, for another user.
+    pub fn again(&mut self) -> Notes<'_> {
+        Notes { spans: self.spans, stream: self.stream, starts: self.starts }
+    }
+}
+
+/// Objects, as a grid sees them.
+pub struct Finder<'a, T, P> {
+    grid: &'a Grid,
+    near: Option<Near>,
+    triangle: T,
+    place: P,
+}
+
+impl<'a, T: Fn(u32) -> Triangle, P: Fn(usize) -> [[f64; 3]; 2]> Finder<'a, T, P> {
+    /// Of triangles and of grids below, whose boxes are where `place` says.
+    pub fn new(grid: &'a Grid, triangle: T, place: P) -> Self {
+        Self { grid, near: Near::new(grid), triangle, place }
+    }
+
+    /// Notes at the start of `stream`, as far as there is room, how many voxels an object
+    /// meets, and these, ascending. Returns their number, and how many rows of voxels were
+    /// looked at.
+    #[inline(always)]
+    pub fn note(&self, object: u32, stream: &mut [u32]) -> [usize; 2] {
+        let mut none = 0;
+        let (head, list) = stream.split_first_mut().unwrap_or((&mut none, &mut []));
+        let noted = if object & GRID_BIT == 0 {
+            voxels(&(self.triangle)(object), self.grid, self.near.as_ref(), list)
+        } else {
+            let [lo, hi] = (self.place)((object & !GRID_BIT) as usize);
+            Range::of(self.grid, lo, hi).map_or([0, 1], |range| {
+                let mut list = list.iter_mut();
+                range.each(self.grid, |voxel| {
+                    if let Some(entry) = list.next() {
                         *entry = voxel as u32;
                     }
-                    end += 1;
-                };
-                let looked_at = if object & GRID_BIT == 0 {
-                    voxels(&triangle(object), &grid, near.as_ref(), visit)
-                } else {
-                    let [lo, hi] = place(self.grids, self.turns, (object & !GRID_BIT) as usize);
-                    Range::of(&grid, lo, hi).map_or(1, |range| {
-                        range.each(&grid, &mut visit);
-                        range.rows()
-                    })
-                };
-                rows += looked_at;
-                if let Some(start) = starts.get_mut(seen) {
-                    *start = head as u32;
-                }
-                if let Some(entry) = stream.get_mut(head) {
-                    *entry = (end - head - 1) as u32;
-                }
-                seen += 1;
-                control.tick(end - head + looked_at, seen, objects.len())?;
-                if end > budget + seen || rows > work {
-                    break;
-                }
+                });
+                [range.voxels(), range.rows()]
+            })
+        };
+        *head = noted[0] as u32;
+        noted
+    }
+}
+
+/// Notes which voxels of `grid` objects meet, and how many there are for each voxel. The
+/// grid is made coarser where it would have too many references. `triangle` and `place`: as
+/// for [`Finder::new`]. `tick` is told of work, and of how many objects were looked at.
+///
+/// # Errors
+/// [`Error::Limit`] if `notes` have too little room; those of `tick`.
+pub fn find(
+    grid: &mut Grid,
+    objects: &[u32],
+    (triangle, place): (impl Fn(u32) -> Triangle, impl Fn(usize) -> [[f64; 3]; 2]),
+    Notes { spans, stream, starts }: Notes<'_>,
+    (max_refs, crowded): (u32, Crowded),
+    mut tick: impl FnMut(usize, usize) -> Result<(), Error>,
+) -> Result<(), Error> {
+    let budget = objects.len().saturating_mul(max_refs as usize);
+    // Objects whose boxes fill the grid cost time even where they leave no
+    // references.
+    let work = if crowded == Crowded::Fail { usize::MAX } else { budget.saturating_mul(4) };
+    loop {
+        let finder = Finder::new(grid, &triangle, &place);
+        let spans = spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
+        spans.fill(EMPTY);
+        tick(spans.len(), 0)?;
+        let (mut end, mut rows, mut seen) = (0, 0, 0);
+        for &object in objects {
+            let free = stream.get_mut(end..).unwrap_or_default();
+            let [count, looked_at] = finder.note(object, free);
+            for &voxel in free.iter().skip(1).take(count) {
+                spans[voxel as usize].count += 1;
             }
-            if end - seen <= budget && rows <= work {
-                self.spans = &mut core::mem::take(&mut self.spans)[..grid.voxels() as usize];
-                return if end > self.stream.len() { Err(Error::Limit) } else { Ok(()) };
+            if let Some(start) = starts.get_mut(seen) {
+                *start = end as u32;
             }
-            if crowded == Crowded::Fail || grid.n == [1; 3] {
-                return Err(Error::Limit);
+            end += 1 + count;
+            rows += looked_at;
+            seen += 1;
+            tick(1 + count + looked_at, seen)?;
+            if end > budget + seen || rows > work {
+                break;
             }
-            // Half the counts leave a flat object a quarter of its references.
-            let mut excess = objects.len() / seen;
-            let coarse = &mut self.grids[self.number];
-            *coarse = grid.coarser();
-            while excess >= 4 && coarse.n != [1; 3] {
-                *coarse = coarse.coarser();
-                excess /= 4;
-            }
+        }
+        if end - seen <= budget && rows <= work {
+            return if end > stream.len() { Err(Error::Limit) } else { Ok(()) };
+        }
+        if crowded == Crowded::Fail || grid.n == [1; 3] {
+            return Err(Error::Limit);
+        }
+        // Half the counts leave a flat object a quarter of its references.
+        let mut excess = objects.len() / seen;
+        *grid = grid.coarser();
+        while excess >= 4 && grid.n != [1; 3] {
+            *grid = grid.coarser();
+            excess /= 4;
         }
     }
+}
 
-    /// Orders objects by the lowest voxel that they meet; those of one keep their order.
-    pub fn order(&mut self, starts: &[u32], next: &mut [u32], order: &mut [u32]) {
-        for (i, &start) in starts.iter().enumerate().rev() {
-            // One that meets none, which there is not, would go with the first.
-            let [count, voxel] = [0, 1].map(|k| self.stream.get(start as usize + k).copied());
-            let lowest = count.and(voxel).filter(|_| count != Some(0)).unwrap_or(0);
-            let first = &mut self.spans[lowest as usize].start;
-            next[i] = core::mem::replace(first, i as u32);
-        }
-        let mut order = order.iter_mut();
-        for span in &*self.spans {
-            let mut i = span.start;
-            while i != NONE {
-                if let Some(order) = order.next() {
-                    *order = i;
-                }
-                i = next[i as usize];
-            }
-        }
+/// Orders objects by the lowest voxel that they meet; those of one keep their order.
+/// `lowest` is room for a word for each.
+pub fn order(notes: Notes<'_>, lowest: &mut [u32], order: &mut [u32]) {
+    let Notes { spans, stream, starts } = notes;
+    for (lowest, &start) in lowest.iter_mut().zip(&*starts) {
+        // One that meets none, which there is not, would go with the first.
+        let [count, voxel] = [0, 1].map(|k| stream.get(start as usize + k).copied());
+        *lowest = count.and(voxel).filter(|_| count != Some(0)).unwrap_or(0);
+        spans[*lowest as usize].start += 1;
     }
+    let mut next = 0;
+    for span in spans.iter_mut() {
+        next += core::mem::replace(&mut span.start, next);
+    }
+    for (i, &lowest) in (0..).zip(&*lowest) {
+        let at = &mut spans[lowest as usize].start;
+        order[*at as usize] = i;
+        *at += 1;
+    }
+}
 
-    /// Makes room for the references; returns how many there are.
-    pub fn open(&mut self) -> Result<usize, Error> {
+/// References that were counted.
+pub fn total(spans: &[Span]) -> usize {
+    spans.iter().map(|span| span.count as usize).sum()
+}
+
+/// Lists while they are filled.
+pub struct Lists<'a> {
+    spans: &'a mut [Span],
+    refs: &'a mut [u32],
+    first_ref: usize,
+    stream: &'a [u32],
+}
+
+impl<'a> Lists<'a> {
+    /// Those of a grid, whose references, of which `refs` begins with number `first_ref`,
+    /// were counted in `spans` and are in `stream`.
+    pub fn open(
+        spans: &'a mut [Span],
+        refs: &'a mut [u32],
+        first_ref: usize,
+        stream: &'a [u32],
+    ) -> Self {
         let mut start = 0;
-        for span in self.spans.iter_mut() {
+        for span in spans.iter_mut() {
             span.start = start;
             start += span.count;
         }
-        let total = start as usize;
-        self.refs = core::mem::take(&mut self.refs).get_mut(..total).ok_or(Error::Limit)?;
-        Ok(total)
+        Self { spans, refs, first_ref, stream }
     }
 
     /// Puts an object into its voxels, which the stream has at `start`; returns where it
@@ -152,11 +195,10 @@ impl<'a> Buckets<'a> {
         end as u32
     }
 
-    /// Finishes the lists; returns the number of voxels.
-    pub fn close(self) -> usize {
+    /// Finishes them.
+    pub fn close(self) {
         for span in self.spans.iter_mut() {
             span.start = self.first_ref as u32 + span.start - span.count;
         }
-        self.spans.len()
     }
 }

@@ -15,6 +15,21 @@ const STRIDE: usize = 4096;
 /// Most tasks handed out at a time.
 pub(super) const TASKS: usize = 32;
 
+/// Parts of a pass, as many as are handed out at a time or fewer.
+pub(super) type Parts<T> = [Option<T>; TASKS];
+
+/// The next parts, until there are none.
+pub(super) fn parts<T>(mut next: impl FnMut() -> Option<T>) -> Parts<T> {
+    let mut parts = [const { None }; TASKS];
+    for part in &mut parts {
+        *part = next();
+        if part.is_none() {
+            break;
+        }
+    }
+    parts
+}
+
 /// One part of a pass.
 pub struct Task<'a> {
     work: Option<&'a mut (dyn Work + 'a)>,
@@ -142,27 +157,34 @@ impl<'a> Control<'a> {
         result
     }
 
-    /// Does `work` to each of at most [`TASKS`] items, on the caller's threads if
-    /// there are any.
+    /// Whether there are threads to share work with.
+    pub(super) fn shares(&self) -> bool {
+        self.threads.is_some()
+    }
+
+    /// Does `work` to each part, on the caller's threads if there are any.
     pub(super) fn each<T: Send>(
         &self,
-        items: &mut [T],
+        parts: &mut Parts<T>,
         work: impl Fn(&mut T) + Sync,
     ) -> Result<(), Error> {
-        let count = items.len();
-        let Some(threads) = self.threads.filter(|_| count > 1) else {
-            items.iter_mut().for_each(work);
-            return Ok(());
-        };
-        let mut items = items.iter_mut();
-        let mut parts = [(); TASKS].map(|()| items.next().map(|item| Part { item, work: &work }));
-        let mut tasks = parts.each_mut().map(|part| Task {
-            work: part.as_mut().map(|part| part as &mut dyn Work),
-            done: false,
-        });
-        threads.run(&mut tasks[..count]);
-        let done = tasks[..count].iter().all(|task| task.done);
-        if done { Ok(()) } else { Err(Error::Unfinished) }
+        let mut items = parts.iter_mut().flatten();
+        let mut items = self::parts(|| items.next().map(|item| Part { item, work: &work }));
+        let mut tasks = [const { Task { work: None, done: false } }; TASKS];
+        let mut count = 0;
+        for (task, item) in tasks.iter_mut().zip(items.iter_mut().flatten()) {
+            task.work = Some(item);
+            count += 1;
+        }
+        self.run(&mut tasks[..count])
+    }
+
+    fn run(&self, tasks: &mut [Task<'_>]) -> Result<(), Error> {
+        match self.threads {
+            Some(threads) if tasks.len() > 1 => threads.run(tasks),
+            _ => tasks.iter_mut().for_each(Task::run),
+        }
+        if tasks.iter().all(|task| task.done) { Ok(()) } else { Err(Error::Unfinished) }
     }
 }
 

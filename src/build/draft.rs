@@ -5,9 +5,9 @@
 //! those of the grids below, are in order without being sorted.
 
 use super::arrangement::Objects;
-use super::bucket::Buckets;
+use super::bucket::{self, Lists, Notes, find, find_in_tasks, total};
 use super::capacity::Capacity;
-use super::control::Control;
+use super::control::{self, Control, TASKS};
 use super::frame::{Grid, Rule};
 use super::gather::Soup;
 use super::scratch::Scratch;
@@ -24,6 +24,9 @@ pub struct Span {
     pub count: u32,
 }
 
+/// Triangles that a task copies.
+const COPY: usize = 4096;
+
 /// What [`Draft::fill`] does when a grid's references exceed its budget.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Crowded {
@@ -37,21 +40,21 @@ pub enum Crowded {
 pub struct Draft<'s> {
     pub soup: Soup<'s>,
     /// The places in the soup of the triangles that have numbers, by number.
-    order: &'s mut [u32],
-    numbered: usize,
+    pub(super) order: &'s mut [u32],
+    pub(super) numbered: usize,
     /// Room for what the bucket sort notes of each triangle.
     notes: [&'s mut [u32]; 2],
-    grid_memory: &'s mut [Grid],
+    pub(super) grid_memory: &'s mut [Grid],
     /// How turned grids are turned, by number, if there can be such.
     turns: &'s mut [Turn],
-    span_memory: &'s mut [Span],
-    ref_memory: &'s mut [u32],
+    pub(super) span_memory: &'s mut [Span],
+    pub(super) ref_memory: &'s mut [u32],
     /// Room for what the bucket sort finds.
-    stream: &'s mut [u32],
-    grids: usize,
-    spans: usize,
-    refs: usize,
-    max_refs: u32,
+    pub(super) stream: &'s mut [u32],
+    pub(super) grids: usize,
+    pub(super) spans: usize,
+    pub(super) refs: usize,
+    pub(super) max_refs: u32,
 }
 
 /// Sizes of a draft, to go back to.
@@ -87,9 +90,33 @@ impl<'s> Draft<'s> {
         })
     }
 
-    /// The triangles in the order of their numbers.
-    pub fn triangles(&self) -> impl ExactSizeIterator<Item = &Triangle> {
-        self.order[..self.numbered].iter().map(|&place| &self.soup.triangles[place as usize])
+    /// How many triangles have numbers.
+    pub fn numbered(&self) -> usize {
+        self.numbered
+    }
+
+    /// Writes the triangles in the order of their numbers.
+    pub fn copy_triangles(
+        &self,
+        to: &mut [Triangle],
+        control: &mut Control<'_>,
+    ) -> Result<(), Error> {
+        let all = to.len();
+        let mut done = 0;
+        let order = self.order[..self.numbered].chunks(COPY * TASKS);
+        for (to, order) in to.chunks_mut(COPY * TASKS).zip(order) {
+            let mut parts = to.chunks_mut(COPY).zip(order.chunks(COPY));
+            let mut tasks = control::parts(|| parts.next());
+            control.each(&mut tasks, |(to, order)| {
+                for (to, &from) in to.iter_mut().zip(*order) {
+                    *to = self.soup.triangles[from as usize];
+                }
+            })?;
+            done += order.len();
+            control.count(order.len());
+            control.at(done, all)?;
+        }
+        Ok(())
     }
 
     /// A word for each triangle that nothing else uses between two fillings.
@@ -137,16 +164,6 @@ impl<'s> Draft<'s> {
         (self.grids, self.spans, self.refs) = (mark.grids, mark.spans, mark.refs);
     }
 
-    /// References added since `mark`.
-    pub fn refs_since(&self, mark: Mark) -> usize {
-        self.refs - mark.refs
-    }
-
-    /// Most references there can be.
-    pub fn capacity(&self) -> usize {
-        self.ref_memory.len()
-    }
-
     /// Adds a grid without voxels; returns its number.
     pub fn push(&mut self, grid: Grid) -> Result<usize, Error> {
         *self.grid_memory.get_mut(self.grids).ok_or(Error::Limit)? = grid;
@@ -184,81 +201,52 @@ impl<'s> Draft<'s> {
         control: &mut Control<'_>,
     ) -> Result<(), Error> {
         let triangles = objects.partition_point(|object| object & GRID_BIT == 0);
-        let (soup, first) = (&self.soup, self.numbered as u32);
-        let [starts, next] = &mut self.notes;
-        let (starts, next) = (&mut starts[..triangles], &mut next[..triangles]);
+        let (soup, turns) = (&self.soup, &*self.turns);
+        let (first, first_ref) = (self.numbered as u32, self.refs);
+        let [starts, lowest] = &mut self.notes;
+        let (starts, lowest) = (&mut starts[..triangles], &mut lowest[..triangles]);
         let order = &mut self.order[self.numbered..][..triangles];
-        let mut buckets = Buckets {
-            grids: &mut self.grid_memory[..self.grids],
-            turns: self.turns,
-            number,
-            spans: &mut self.span_memory[self.spans..],
-            first_span: self.spans,
-            refs: &mut self.ref_memory[self.refs..],
-            first_ref: self.refs,
-            stream: self.stream,
-        };
-        let limits = (self.max_refs, crowded);
-        let triangle = |object: u32| &soup.triangles[object as usize];
-        let turn = self.turns.get(number).filter(|_| buckets.grids[number].is_turned());
-        let seen =
-            |object: u32| turn.map_or(*triangle(object), |turn| turn.local(triangle(object)));
-        buckets.find(objects, seen, starts, limits, control)?;
-        buckets.order(starts, next, order);
-        let refs = buckets.open()?;
+        let spans = &mut self.span_memory[self.spans..];
+        let mut grid = Grid { first: self.spans as u32, ..self.grid_memory[number] };
+        let grids = &self.grid_memory[..self.grids];
+        let turn = turns.get(number).filter(|_| grid.is_turned());
+        let triangle = |object: u32| soup.triangles[object as usize];
+        let mut notes = Notes { spans, stream: self.stream, starts };
+        let alike = turn.is_none() && triangles == objects.len();
+        if !(alike && find_in_tasks(&grid, objects, triangle, &mut notes, self.max_refs, control)?)
+        {
+            let seen = |object| turn.map_or(triangle(object), |turn| turn.local(&triangle(object)));
+            let place = |number| place(grids, turns, number);
+            let limits = (self.max_refs, crowded);
+            let tick = |work, seen| control.tick(work, seen, objects.len());
+            find(&mut grid, objects, (seen, place), notes.again(), limits, tick)?;
+        }
+        self.grid_memory[number] = grid;
+        let Notes { spans, stream, starts } = notes;
+        let spans = &mut spans[..grid.voxels() as usize];
+        bucket::order(Notes { spans, stream, starts }, lowest, order);
+        let refs = total(spans);
+        let room = self.ref_memory[self.refs..].get_mut(..refs).ok_or(Error::Limit)?;
+        let mut lists = Lists::open(spans, room, first_ref, stream);
         // The stream has the grids behind the triangle that was last before.
-        let mut grids = 0;
+        let mut end = 0;
         for (number, i) in (first..).zip(order.iter_mut()) {
-            grids = grids.max(buckets.put(number, starts[*i as usize]));
+            end = end.max(lists.put(number, starts[*i as usize]));
             *i = objects[*i as usize];
         }
-        for &grid in &objects[triangles..] {
-            grids = buckets.put(grid, grids);
+        for &below in &objects[triangles..] {
+            end = lists.put(below, end);
         }
-        self.spans += buckets.close();
+        lists.close();
+        self.spans += grid.voxels() as usize;
         self.refs += refs;
         self.numbered += triangles;
         Ok(())
     }
 
-    /// [`Draft::fill`] with the list of a voxel, of triangles that have numbers, which is
-    /// then replaced by a reference to the grid.
-    pub fn fill_from(
-        &mut self,
-        number: usize,
-        voxel: usize,
-        control: &mut Control<'_>,
-    ) -> Result<(), Error> {
-        let span = self.span_memory[voxel];
-        let (soup, order) = (&self.soup, &self.order[..self.numbered]);
-        let (done, refs) = self.ref_memory.split_at_mut(self.refs);
-        let objects = &done[span.start as usize..][..span.count as usize];
-        let mut buckets = Buckets {
-            grids: &mut self.grid_memory[..self.grids],
-            turns: self.turns,
-            number,
-            spans: &mut self.span_memory[self.spans..],
-            first_span: self.spans,
-            refs,
-            first_ref: self.refs,
-            stream: self.stream,
-        };
-        let limits = (self.max_refs, Crowded::Coarsen);
-        let triangle = |object: u32| soup.triangles[order[object as usize] as usize];
-        buckets.find(objects, triangle, &mut [], limits, control)?;
-        let refs = buckets.open()?;
-        let mut start = 0;
-        for &object in objects {
-            start = buckets.put(object, start);
-        }
-        self.spans += buckets.close();
-        self.refs += refs;
-        Ok(())
-    }
-
     /// Makes the list of a voxel the one reference to grid `number`.
-    pub fn replace(&mut self, voxel: usize, number: usize) {
-        let span = &mut self.span_memory[voxel];
+    pub fn replace(&mut self, voxel: u32, number: usize) {
+        let span = &mut self.span_memory[voxel as usize];
         span.count = 1;
         self.ref_memory[span.start as usize] = GRID_BIT | number as u32;
     }

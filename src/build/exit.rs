@@ -20,9 +20,16 @@ use super::reach::Reach;
 /// the step it saves.
 const LONG: u32 = 16;
 
-/// Planes of voxels that share boxes among each other. Those of different slabs
+/// Planes of voxels that share boxes among each other, at most. Those of different slabs
 /// do not, so that each can be a task.
 pub const SLAB: usize = 8;
+/// Slabs that a large grid has, if it has planes for them, so that there are tasks to share.
+const SLABS: usize = 8;
+
+/// Planes of a slab of a grid of `n` voxels that is large.
+pub fn slab_of(n: [usize; 3]) -> usize {
+    n[2].div_ceil(SLABS).clamp(2, SLAB)
+}
 
 /// Words of memory that [`planes`] takes.
 pub fn plane_len(n: [usize; 3]) -> usize {
@@ -35,12 +42,12 @@ pub fn masks<'a>(grid: &Grid, draft: &Draft<'_>, memory: &'a mut [u64]) -> Masks
 }
 
 /// Writes the exit boxes of whole planes of a grid, from number `first` on, which
-/// begins a slab, in the arena's form. `memory`: [`plane_len`] words.
+/// begins a slab of `slab` planes, in the arena's form. `memory`: [`plane_len`] words.
 pub fn planes(
     grid: &Grid,
     draft: &Draft<'_>,
     masks: &Masks<'_>,
-    first: usize,
+    (first, slab): (usize, usize),
     memory: &mut [u64],
     words: &mut [u32],
 ) {
@@ -52,7 +59,7 @@ pub fn planes(
     let mut rows =
         spans[first * n[0] * n[1]..].chunks_exact(n[0]).zip(words.chunks_exact_mut(n[0]));
     for z in first..n[2] {
-        if z % SLAB == 0 {
+        if z % slab == 0 {
             plane.fill(Reach::NONE);
         }
         for y in 0..n[1] {

@@ -3,14 +3,15 @@
 //! Triangles are copied in the order of the numbers that they got with their first grid.
 
 use super::control::Control;
+use super::counts;
 use super::draft::Draft;
 use super::frame::{self, unit};
 use super::occluders;
 use super::parts::{self, words};
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, MAGIC, MAX_WALKS,
-    OCCLUDERS, PAYLOAD, Section, TAG_SHIFT, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, Frame, Grid, Header, MAGIC, MAX_WALKS, OCCLUDERS, PAYLOAD, Section,
+    Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
 use crate::ray::NONE;
@@ -40,7 +41,7 @@ impl<'s> Plan<'s> {
         let words = |g| draft.spans(g).iter().map(|&s| words(&draft, s)).sum::<u64>();
         let refs: u64 = grids.iter().map(words).sum();
         let levels = grids.iter().map(|g| g.level + 1).max().unwrap_or(0);
-        let triangles = draft.triangles().len();
+        let triangles = draft.numbered();
         let frames = if grids.iter().any(frame::Grid::is_turned) { grids.len() } else { 0 };
         debug_assert_eq!(triangles, draft.soup.triangles.len(), "a triangle is in no grid");
         // A list's place must fit a voxel's payload.
@@ -106,11 +107,7 @@ impl<'s> Plan<'s> {
         let frames: &mut [Frame] = bytemuck::cast_slice_mut(section(4, size_of::<Frame>()));
         rest.fill(0);
         control.pass(0.5)?;
-        let total = triangles.len();
-        for ((i, to), from) in triangles.iter_mut().enumerate().zip(self.draft.triangles()) {
-            control.tick(1, i, total)?;
-            *to = *from;
-        }
+        self.draft.copy_triangles(triangles, control)?;
         control.pass(0.95)?;
         let unit = unit(&self.draft.soup.bounds);
         let mut first = 0;
@@ -124,12 +121,13 @@ impl<'s> Plan<'s> {
         let table = if self.exits { &mut *self.table } else { &mut [] };
         parts::write(&self.draft, triangles, table, (voxels, refs), control)?;
         control.pass(1.0)?;
-        count_walks(grids, voxels, refs);
+        counts::walks(grids, (voxels, refs), control)?;
         if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {
             return Err(Error::Limit);
         }
         head.occluders = occluders::choose(triangles, &self.draft.soup.bounds);
-        head.objects = count_objects(grids, voxels, refs, self.draft.spare(), control)?;
+        head.objects =
+            counts::objects(grids, (voxels, refs), triangles.len(), self.draft.spare(), control)?;
         control.at(1, 1)
     }
 
@@ -155,63 +153,5 @@ impl<'s> Plan<'s> {
             occluders: [NONE; OCCLUDERS],
             frames: self.sections[4],
         }
-    }
-}
-
-/// The references of a voxel of an arena being written.
-fn list<'a>(voxel: &u32, refs: &'a [u32]) -> &'a [u32] {
-    let start = (voxel & PAYLOAD) as usize;
-    match voxel >> TAG_SHIFT {
-        LIST => &refs[start + LIST_HEAD..][..refs[start + 1] as usize],
-        _ => &[],
-    }
-}
-
-/// How many triangles each level refers to; a level's grids are neighbours.
-fn count_objects(
-    grids: &[Grid],
-    voxels: &[u32],
-    refs: &[u32],
-    last: &mut [u32],
-    control: &mut Control<'_>,
-) -> Result<[u32; MAX_LEVELS], Error> {
-    let mut objects = [0; MAX_LEVELS];
-    if grids.iter().all(|grid| grid.level == 0) {
-        // Every triangle is in some voxel.
-        objects[0] = last.len() as u32;
-        return Ok(objects);
-    }
-    last.fill(u32::MAX);
-    for grid in grids {
-        let (first, level) = (grid.first as usize, u32::from(grid.level));
-        let mut count = 0;
-        for (i, voxel) in voxels[first..][..grid.voxels() as usize].iter().enumerate() {
-            control.tick(1, first + i, voxels.len())?;
-            for &r in list(voxel, refs).iter().take_while(|&&r| r & GRID_BIT == 0) {
-                let last = &mut last[r as usize];
-                count += u32::from(*last != level);
-                *last = level;
-            }
-        }
-        objects[level as usize] += count;
-    }
-    Ok(objects)
-}
-
-/// Sets each grid's `walks`, children before parents.
-fn count_walks(grids: &mut [Grid], voxels: &[u32], refs: &[u32]) {
-    for number in (0..grids.len()).rev() {
-        let walks = |child: u32| u64::from(grids[child as usize].walks);
-        let entries = |voxel: &u32| match voxel >> TAG_SHIFT {
-            GRID => walks(voxel & PAYLOAD),
-            _ => {
-                let below = list(voxel, refs).iter().rev().take_while(|&&r| r & GRID_BIT != 0);
-                below.map(|&r| walks(r & !GRID_BIT)).sum()
-            }
-        };
-        let grid = &grids[number];
-        let most =
-            voxels[grid.first as usize..][..grid.voxels() as usize].iter().map(entries).max();
-        grids[number].walks = (1 + most.unwrap_or(0)).min(u64::from(u32::MAX)) as u32;
     }
 }

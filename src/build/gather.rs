@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::control::{Control, TASKS};
+use super::control::{Control, TASKS, parts};
 use super::scratch::{Scratch, cut};
 use crate::Error;
 use crate::aabb::Aabb;
@@ -109,18 +109,13 @@ fn batch<'a>(
     (mut triangles, mut boxes): (&mut [Triangle], &mut [Aabb]),
     control: &Control<'_>,
 ) -> Result<Batch, Error> {
-    let mut parts = [(); TASKS].map(|()| {
+    let mut parts = parts(|| {
         let (geom, geometry, prims) = ranges.next()?;
         let count = if boxes.is_empty() { 0 } else { prims.len() };
         let (triangles, boxes) = (cut(&mut triangles, prims.len()), cut(&mut boxes, count));
         Some(Part { geom, geometry, prims, triangles, boxes, found: Ok(NOTHING) })
     });
-    let used = parts.iter().flatten().count();
-    control.each(&mut parts[..used], |part| {
-        if let Some(part) = part {
-            part.found = part.look();
-        }
-    })?;
+    control.each(&mut parts, |part| part.found = part.look())?;
     let (mut found, mut seen) = ([None; TASKS], 0);
     for (found, part) in found.iter_mut().zip(parts.iter().flatten()) {
         *found = Some((part.prims.len(), part.found?));

@@ -142,17 +142,25 @@ fn near(rise: f64, x: u32, from: f64, half: f64) -> [bool; 2] {
     if rise < 0.0 { [below, above] } else { [above, below] }
 }
 
-/// Calls `visit` with each voxel that `triangle` meets; returns how many rows of
-/// voxels it looked at.
-#[inline(always)]
+/// Writes the numbers of the voxels that `triangle` meets to `list`, ascending, as many as
+/// there is room for. Returns how many there are, and how many rows of voxels it looked at.
+#[inline(never)]
 pub fn voxels(
     triangle: &Triangle,
     grid: &Grid,
     near: Option<&Near>,
-    mut visit: impl FnMut(usize),
-) -> usize {
+    list: &mut [u32],
+) -> [usize; 2] {
+    let mut count = 0;
+    let mut visit = |voxel: usize| {
+        if let Some(entry) = list.get_mut(count) {
+            *entry = voxel as u32;
+        }
+        count += 1;
+    };
     let rows = near.and_then(|near| near.voxels(triangle, grid, &mut visit));
-    rows.unwrap_or_else(|| far_voxels(triangle, grid, &mut visit))
+    let rows = rows.unwrap_or_else(|| far_voxels(triangle, grid, &mut visit));
+    [count, rows]
 }
 
 /// [`voxels`] in `f64`.

@@ -5,9 +5,9 @@
 //! its own.
 
 use super::bounds::Frame;
-use super::control::{Control, TASKS};
+use super::control::{Control, TASKS, parts};
 use super::draft::{Draft, Span};
-use super::exit::{SLAB, masks, plane_len, planes};
+use super::exit::{SLAB, masks, plane_len, planes, slab_of};
 use super::frame::Grid;
 use super::masks::Masks;
 use super::scratch::cut;
@@ -130,16 +130,18 @@ fn runs(
     let draft = input.draft;
     let size = table.len();
     let mut memory = table;
-    let mut runs = [(); TASKS].map(|()| {
+    let mut runs = parts(|| {
         let (count, words) = run_len(&draft.grids()[next..], size, memory.len());
+        if count == 0 {
+            return None;
+        }
         let grids = next..next + count;
         next = grids.end;
         let run = draft.grids()[grids.clone()].iter();
         let output = free.take(draft, run.map(|grid| draft.spans(grid)));
-        Run { grids, memory: cut(&mut memory, words), output }
+        Some(Run { grids, memory: cut(&mut memory, words), output })
     });
-    let used = runs.iter().take_while(|run| !run.grids.is_empty()).count();
-    control.each(&mut runs[..used], |run| {
+    control.each(&mut runs, |run| {
         let mut at = 0;
         for grid in &draft.grids()[run.grids.clone()] {
             let spans = draft.spans(grid);
@@ -151,7 +153,7 @@ fn runs(
             } else {
                 let (plane, rest) = run.memory[..len].split_at_mut(plane_len(sides(grid)));
                 let masks = masks(grid, draft, rest);
-                planes(grid, draft, &masks, 0, plane, words);
+                planes(grid, draft, &masks, (0, SLAB), plane, words);
             }
         }
         for number in run.grids.clone() {
@@ -206,23 +208,22 @@ fn slabs(
     };
     let plane = if exits { plane_len(n) } else { 0 };
     let most = memory.len().checked_div(plane).map_or(TASKS, |fit| fit.min(TASKS));
-    let mut slabs = draft.spans(grid).chunks(SLAB * n[0] * n[1]).enumerate();
-    let total = n[2].div_ceil(SLAB);
+    let height = slab_of(n);
+    let mut slabs = draft.spans(grid).chunks(height * n[0] * n[1]).enumerate();
+    let total = n[2].div_ceil(height);
     while slabs.len() > 0 {
         let mut memory = &mut *memory;
         let mut next = slabs.by_ref().take(most);
-        let mut tasks = [(); TASKS].map(|()| {
+        let mut tasks = parts(|| {
             let (slab, spans) = next.next()?;
             let output = free.take(draft, core::iter::once(spans));
-            Some(Slab { first: slab * SLAB, spans, memory: cut(&mut memory, plane), output })
+            Some(Slab { first: slab * height, spans, memory: cut(&mut memory, plane), output })
         });
-        let used = tasks.iter().flatten().count();
-        control.each(&mut tasks[..used], |task| {
-            let Some(slab) = task else { return };
+        control.each(&mut tasks, |slab| {
             match &masks {
                 Some(masks) => {
                     let words = &mut *slab.output.voxels;
-                    planes(grid, draft, masks, slab.first, slab.memory, words);
+                    planes(grid, draft, masks, (slab.first, height), slab.memory, words);
                 }
                 None => slab.output.voxels.fill(0),
             }

@@ -8,8 +8,8 @@
 //! references allowed.
 
 use super::control::Control;
-use super::draft::{Draft, Span};
-use super::frame::{Grid, Rule};
+use super::draft::Draft;
+use super::split::{Batch, Joined};
 use super::uniform::{inner_rule, uniform};
 use crate::Error;
 use crate::options::Options;
@@ -24,18 +24,20 @@ pub fn recursive(
     control.pass(0.3)?;
     uniform(draft, options, objects, control)?;
     control.pass(0.45)?;
-    let mut splitter = Splitter { rule: inner_rule(options), maxp: options.maxp, wasted: 0 };
-    let mut number = 0;
-    while number < draft.grids().len() {
-        // Depth for now; levels count from the deepest and are set below.
-        if draft.grids()[number].level + 1 < options.max_depth
-            && !control.within(|control| splitter.split_all(draft, number, control))?
-        {
+    let mut batch = Batch::new();
+    let mut next = Place { grid: 0, voxel: 0 };
+    loop {
+        let room = next.collect(&mut batch, draft, options, control);
+        if batch.is_empty() {
             break;
         }
-        control.tick(draft.grids()[number].voxels() as usize, number, draft.grids().len())?;
-        number += 1;
+        let goes_on = batch.split(draft, control)?;
+        control.at(next.grid, draft.grids().len())?;
+        if !(room && goes_on) {
+            break;
+        }
     }
+    // Depth until now; levels count from the deepest.
     let deepest = draft.grids().iter().map(|g| g.level).max().unwrap_or(0);
     for grid in draft.grids_mut() {
         grid.level = deepest - grid.level;
@@ -43,69 +45,47 @@ pub fn recursive(
     Ok(())
 }
 
-struct Splitter {
-    rule: Rule,
-    maxp: u32,
-    /// References of splits that were undone.
-    wasted: usize,
+/// A voxel of a grid, to be looked at next.
+struct Place {
+    grid: usize,
+    voxel: usize,
 }
 
-impl Splitter {
-    /// Splits the crowded voxels of one grid; false when it is time to stop.
-    fn split_all(
+impl Place {
+    /// Puts crowded voxels into a batch, until it is full or there are no more among the
+    /// grids that are filled. False if there is no room for another grid.
+    fn collect(
         &mut self,
+        batch: &mut Batch,
         draft: &mut Draft<'_>,
-        number: usize,
+        options: &Options,
         control: &mut Control<'_>,
-    ) -> Result<bool, Error> {
-        let grid = draft.grids()[number];
-        let [nx, ny, nz] = grid.n;
-        let cells =
-            (0..nz).flat_map(|z| (0..ny).flat_map(move |y| (0..nx).map(move |x| [x, y, z])));
-        for (voxel, at) in cells.enumerate() {
-            let span = draft.spans(&grid)[voxel];
-            if span.count > self.maxp {
-                let child = grid.inside(at, grid.level + 1);
-                let rule = draft.weighed_from(&self.rule, &child, span);
-                let child = child.divided(&rule, span.count as usize);
-                if !self.split(draft, child, (grid.first as usize + voxel, span), control)? {
-                    return Ok(false);
+    ) -> bool {
+        let rule = inner_rule(options);
+        let filled = draft.grids().len();
+        while self.grid < filled {
+            let grid = draft.grids()[self.grid];
+            let splits = grid.level + 1 < options.max_depth;
+            let [nx, ny, _] = grid.n.map(|n| n as usize);
+            while splits && self.voxel < grid.voxels() as usize {
+                let span = draft.spans(&grid)[self.voxel];
+                if span.count > options.maxp {
+                    let i = self.voxel;
+                    let at = [i % nx, i / nx % ny, i / (nx * ny)].map(|i| i as u32);
+                    let child = grid.inside(at, grid.level + 1);
+                    let rule = draft.weighed_from(&rule, &child, span);
+                    let child = child.divided(&rule, span.count as usize);
+                    match batch.join(draft, grid.first + i as u32, span.count, child) {
+                        Joined::Yes => {}
+                        Joined::Later => return true,
+                        Joined::Never => return false,
+                    }
                 }
+                self.voxel += 1;
             }
+            control.count(self.voxel);
+            *self = Self { grid: self.grid + 1, voxel: 0 };
         }
-        Ok(true)
-    }
-
-    /// Makes `child` of a voxel, unless that separates nothing. False if there is no
-    /// room, or no patience.
-    fn split(
-        &mut self,
-        draft: &mut Draft<'_>,
-        child: Grid,
-        (voxel, span): (usize, Span),
-        control: &mut Control<'_>,
-    ) -> Result<bool, Error> {
-        let before = draft.mark();
-        let filled = draft.push(child).and_then(|n| draft.fill_from(n, voxel, control).map(|()| n));
-        let number = match filled {
-            Ok(number) => number,
-            Err(Error::Limit) => {
-                draft.back_to(before);
-                return Ok(false);
-            }
-            Err(other) => return Err(other),
-        };
-        let child = draft.grids()[number];
-        // A voxel that still holds all objects is no loss where hardly any other
-        // holds some: a dense clump in a corner is reached a split or two later.
-        let used = draft.refs_since(before);
-        let together = draft.spans(&child).iter().any(|s| s.count >= span.count);
-        if together && used >= 2 * span.count as usize {
-            self.wasted += used;
-            draft.back_to(before);
-            return Ok(self.wasted <= draft.capacity());
-        }
-        draft.replace(voxel, number);
-        Ok(true)
+        true
     }
 }

@@ -1,0 +1,90 @@
+//! [`find`](super::find) in tasks, for many triangles and a grid that need not be coarser.
+//!
+//! Each task notes the voxels of some triangles in a piece of the stream of its own; then
+//! the pieces are moved together and counted. Where a piece is too short, or the grid has
+//! too many references, nothing is lost but time: `find` starts anew.
+
+use super::{EMPTY, Finder, Notes};
+use crate::Error;
+use crate::arena::layout::Triangle;
+use crate::build::control::{Control, TASKS, parts};
+use crate::build::frame::Grid;
+use crate::build::scratch::cut;
+
+/// Triangles of a task, at most.
+const PART: usize = 2048;
+
+/// Some triangles and their piece of the stream.
+struct Part<'a> {
+    objects: &'a [u32],
+    stream: &'a mut [u32],
+    /// The words that it takes.
+    words: usize,
+    rows: usize,
+}
+
+/// Does what [`find`](super::find) does, or returns `false`: where the grid would have to be
+/// made coarser, and where there is nobody to share the work with.
+pub fn find_in_tasks(
+    grid: &Grid,
+    objects: &[u32],
+    triangle: impl Fn(u32) -> Triangle + Sync,
+    notes: &mut Notes<'_>,
+    max_refs: u32,
+    control: &mut Control<'_>,
+) -> Result<bool, Error> {
+    let voxels = grid.voxels() as usize;
+    if !control.shares() || objects.len() < 2 * PART || notes.spans.len() < voxels {
+        return Ok(false);
+    }
+    notes.spans[..voxels].fill(EMPTY);
+    control.count(voxels);
+    let finder = Finder::new(grid, triangle, |_| [[0.0; 3]; 2]);
+    let most = PART * (max_refs as usize + 1);
+    let budget = objects.len() * max_refs as usize;
+    let (all, mut end, mut seen, mut rows) = (objects.len(), 0, 0, 0);
+    for batch in objects.chunks(PART * TASKS) {
+        let count = batch.len().div_ceil(PART);
+        let mut free = &mut notes.stream[end..];
+        let size = (free.len() / count).min(most);
+        let mut objects = batch.chunks(PART);
+        let mut parts = parts(|| {
+            let objects = objects.next()?;
+            Some(Part { objects, stream: cut(&mut free, size), words: 0, rows: 0 })
+        });
+        control.each(&mut parts, |part| {
+            for &object in part.objects {
+                let free = part.stream.get_mut(part.words..).unwrap_or_default();
+                let [count, rows] = finder.note(object, free);
+                part.words += 1 + count;
+                part.rows += rows;
+            }
+        })?;
+        let found = parts.map(|part| part.map(|part| [part.words, part.rows]));
+        let mut piece = end;
+        for [words, looked_at] in found.into_iter().flatten() {
+            if words > size {
+                return Ok(false);
+            }
+            notes.stream.copy_within(piece..piece + words, end);
+            piece += size;
+            let last = end + words;
+            while end < last {
+                notes.starts[seen] = end as u32;
+                seen += 1;
+                let next = end + 1 + notes.stream[end] as usize;
+                for &voxel in &notes.stream[end + 1..next] {
+                    notes.spans[voxel as usize].count += 1;
+                }
+                end = next;
+            }
+            rows += looked_at;
+            control.count(words + looked_at);
+        }
+        control.at(seen, all)?;
+        if end - seen > budget || rows > budget.saturating_mul(4) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
