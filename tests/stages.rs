@@ -5,7 +5,7 @@
 
 mod common;
 
-use hug::{Geometry, Options, Ray, Scene};
+use hug::{Counters, Geometry, Options, Ray, Scene};
 use hug_kit::arbiter::{self, Triangle};
 use hug_kit::random::Random;
 use hug_kit::rays;
@@ -34,7 +34,8 @@ impl Target {
     fn shoot(&self, ray: &Ray) -> Option<[f32; 3]> {
         let exact = arbiter::hit(&bytemuck::cast::<Ray, rays::Ray>(*ray), &self.corners);
         let view = self.scene.view();
-        for found in [view.intersect_brute(ray), view.intersect(ray)] {
+        let walked = view.intersect_counted(ray, &mut Counters::default());
+        for found in [view.intersect_brute(ray), view.intersect(ray), walked] {
             let bits = found.is_hit().then(|| [found.t, found.u, found.v].map(f32::to_bits));
             let expected = exact.as_ref().map(|hit| [hit.t, hit.u, hit.v].map(f32::to_bits));
             let corners = &self.corners;

@@ -10,6 +10,7 @@ use super::control::Control;
 use super::draft::{Crowded, Draft, Mark};
 use super::frame::Grid;
 use super::overlap;
+use super::sort;
 use super::uniform::inner_rule;
 use crate::Error;
 use crate::arena::layout::{GRID_BIT, MAX_WALKS};
@@ -76,7 +77,7 @@ pub fn link(
         groups += 1;
         first = group.end;
     }
-    links[..count].sort_unstable();
+    sort::pairs(&mut links[..count]);
     // Nested, it is a tree, with one path to each grid.
     if walks(&links[..count], &mut parent[..total]) > MAX_WALKS * total as u64 {
         return link(draft, Hierarchy::Nested, links, objects, parent, control);

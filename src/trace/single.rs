@@ -9,6 +9,9 @@ use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv};
 use crate::triangle::Line;
 
+/// Triangles up to which deciding all of them takes less time than to begin a walk.
+const FEW: u64 = 4;
+
 /// A query of one ray in a scene that is not empty.
 struct Single<'a, Q, C> {
     view: &'a View<'a>,
@@ -68,9 +71,12 @@ impl View<'_> {
 
     #[inline]
     pub(super) fn single<Q: Query, C: Count>(&self, ray: &Ray, counters: &mut C) -> Q::Out {
+        if self.header().grids.count == 0 {
+            return Q::miss(ray);
+        }
         fpenv::with_default(|| {
-            if self.header().grids.count == 0 {
-                return Q::miss(ray);
+            if self.header().triangles.count <= FEW && !C::COUNTS {
+                return self.among_all::<Q>(ray);
             }
             let counters = &mut counters.meter();
             dispatch(Single { view: self, ray, query: Q::new(ray), counters })
@@ -81,18 +87,22 @@ impl View<'_> {
     /// structures are compared with. Cost: linear in the triangles.
     #[must_use]
     pub fn intersect_brute(&self, ray: &Ray) -> Hit {
-        fpenv::with_default(|| {
-            if !usable(Portable, ray) {
-                return Closest::miss(ray);
+        fpenv::with_default(|| self.among_all::<Closest>(ray))
+    }
+
+    /// Decides every triangle.
+    #[inline(always)]
+    fn among_all<Q: Query>(&self, ray: &Ray) -> Q::Out {
+        if !usable(Portable, ray) {
+            return Q::miss(ray);
+        }
+        let line = Line::new(ray);
+        let mut query = Q::new(ray);
+        for (number, triangle) in (0..).zip(self.triangles()) {
+            if visible(ray, triangle) && query.meet(&line, triangle, number) == Some(true) {
+                break;
             }
-            let line = Line::new(ray);
-            let mut query = Closest::new(ray);
-            for (number, triangle) in (0..).zip(self.triangles()) {
-                if visible(ray, triangle) {
-                    query.meet(&line, triangle, number);
-                }
-            }
-            query.found(&self.sections(), ray)
-        })
+        }
+        query.found(&self.sections(), ray)
     }
 }

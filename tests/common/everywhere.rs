@@ -25,6 +25,10 @@ impl Everywhere {
             let any = view.occluded_counted(ray, &mut counters);
             assert_eq!(any, expected.is_hit(), "{name}, counted: {ray:?}");
             assert_eq!(view.occluded(ray), expected.is_hit(), "{name}: {ray:?}");
+            // Scenes of a few triangles are walked by streams and counted queries alone.
+            let mut many = [Hit::miss(0.0); 13];
+            view.intersect_n(&[*ray; 13], &mut many);
+            assert_same(&many[12], &expected, ray, &format!("{name}, in a stream"));
             let accepted = view.intersect_filtered(ray, |_| true);
             assert_same(&accepted, &expected, ray, &format!("{name}, filtered"));
             let first = view.hits(ray).next().unwrap_or(Hit::miss(ray.tmax));
