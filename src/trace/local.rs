@@ -239,11 +239,15 @@ impl Span {
     /// In no grid yet.
     pub const NONE: Self = Self { base: 0.0, slack: 0.0, end: 0.0 };
 
-    /// Where the walk stops if no tau above `limit` is wanted.
+    /// Where the walk stops if no t above `limit`, rounded, is wanted; tau is `per_t` times t.
     #[inline(always)]
-    pub fn stop(&self, limit: f64) -> f32 {
-        // `limit` is no NaN, so neither is this.
-        let limit = above(limit - self.base + self.slack);
+    pub fn stop(&self, limit: f32, per_t: f64) -> f32 {
+        // That of `beyond(limit)`, in an order in which little has to wait for the limit. It
+        // is no NaN, so neither is this.
+        let t = f64::from(limit);
+        let start = self.slack - self.base + per_t * f64::from(f32::MIN_POSITIVE);
+        let room = t.abs() * (per_t * f64::from(f32::EPSILON)) + start;
+        let limit = above(t * per_t + room);
         if limit < self.end { limit } else { self.end }
     }
 
@@ -275,5 +279,5 @@ fn reach<L: Lanes>(l: L, exit: u32, shifts: &[u32; 4]) -> L::I32 {
 /// An `f32` greater than `x`, but for infinity.
 #[inline(always)]
 fn above(x: f64) -> f32 {
-    (x + x.abs() * f64::from(f32::EPSILON) + f64::from(f32::MIN_POSITIVE)) as f32
+    (x.abs() * f64::from(f32::EPSILON) + (x + f64::from(f32::MIN_POSITIVE))) as f32
 }

@@ -4,7 +4,7 @@ use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
 use crate::simd::Lanes;
-use crate::triangle::{Apex, Line, Met, normal};
+use crate::triangle::{Apex, Line, Met};
 
 /// What a walk looks for.
 pub(crate) trait Query: Copy {
@@ -43,6 +43,7 @@ pub(crate) struct Closest {
     prim: u32,
     number: u32,
     weights: Option<(f32, f32)>,
+    normal: [f32; 3],
 }
 
 impl Query for Closest {
@@ -55,7 +56,14 @@ impl Query for Closest {
 
     #[inline(always)]
     fn new(ray: &Ray) -> Self {
-        Self { limit: ray.tmax, geom: NONE, prim: NONE, number: NONE, weights: None }
+        Self {
+            limit: ray.tmax,
+            geom: NONE,
+            prim: NONE,
+            number: NONE,
+            weights: None,
+            normal: [0.0; 3],
+        }
     }
 
     #[inline(always)]
@@ -74,7 +82,7 @@ impl Query for Closest {
         let Met { t, weights } = line.meet(apex, triangle, self.limit)?;
         if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
             let Triangle { geom, prim, .. } = *triangle;
-            *self = Self { limit: t, geom, prim, number, weights };
+            *self = Self { limit: t, geom, prim, number, weights, normal: apex.normal() };
         }
         Some(false)
     }
@@ -84,9 +92,9 @@ impl Query for Closest {
         if self.number == NONE {
             return Self::miss(ray);
         }
-        let triangle = sections.triangle(self.number);
-        let (u, v) = self.weights.unwrap_or_else(|| Line::new(ray).weights(triangle));
-        Hit::in_rows([self.limit, u, v], normal(triangle), [self.geom, self.prim])
+        let weights = || Line::new(ray).weights(sections.triangle(self.number));
+        let (u, v) = self.weights.unwrap_or_else(weights);
+        Hit::in_rows([self.limit, u, v], self.normal, [self.geom, self.prim])
     }
 }
 

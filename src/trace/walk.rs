@@ -17,7 +17,7 @@ use super::bounds::{BATCH, Few, Part};
 use super::counters::Count;
 use super::course::Course;
 use super::decided::Decided;
-use super::local::{Boxes, Local};
+use super::local::{Boxes, Local, Span};
 use super::query::{Query, beyond, visible};
 use super::sieve::{Sieve, chunk};
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
@@ -132,8 +132,10 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         self.grid(0, t0, t1);
     }
 
-    fn limit(&self) -> f64 {
-        beyond(self.query.limit()) * self.course.per_t
+    /// Where it stops in a grid, all hits considered.
+    #[inline(always)]
+    fn stop(&self, span: &Span) -> f32 {
+        span.stop(self.query.limit(), self.course.per_t)
     }
 
     /// Walks a grid where the ray's parameter tau is in `[t0, t1]`; `true` if the
@@ -156,7 +158,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         };
         let mut at = local.at;
         let mut s = 0.0;
-        let mut stop = local.span.stop(self.limit());
+        let mut stop = self.stop(&local.span);
         loop {
             let voxel = self.sections.voxel(local.number(l, at) as usize);
             self.counters.voxel();
@@ -192,7 +194,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 };
                 match met {
                     Met::Nothing => {}
-                    Met::Something => stop = local.span.stop(self.limit()),
+                    Met::Something => stop = self.stop(&local.span),
                     Met::Enough => return true,
                 }
                 step

@@ -114,6 +114,15 @@ impl Apex {
     }
 }
 
+impl Apex {
+    /// `(v1 - v0) x (v2 - v0)`, rounded.
+    #[inline(always)]
+    pub fn normal(&self) -> [f32; 3] {
+        // Differences the other way round are the same but for their signs; that of 0 is +.
+        three(|k| (0.0 - self.normal[k]) as f32)
+    }
+}
+
 impl Estimate {
     #[inline(always)]
     pub fn new(apex: &Apex, dir: &Vector) -> Self {

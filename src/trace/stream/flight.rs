@@ -3,7 +3,7 @@
 use super::super::course::{Course, Mirror};
 use super::super::decided::Decided;
 use super::super::local::Span;
-use super::super::query::{Query, beyond};
+use super::super::query::Query;
 use super::columns::Kept;
 use crate::ray::Ray;
 use crate::simd::Lanes;
@@ -60,7 +60,7 @@ impl<Q: Query, L: Lanes> Flight<Q, L> {
     /// Where it stops in its grid, all hits considered.
     #[inline(always)]
     pub fn stop(&self) -> f32 {
-        self.span.stop(beyond(self.query.limit()) * self.course.per_t)
+        self.span.stop(self.query.limit(), self.course.per_t)
     }
 }
 
