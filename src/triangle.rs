@@ -90,11 +90,6 @@ fn sub(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-#[inline(always)]
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 impl Line {
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
@@ -200,15 +195,6 @@ impl Line {
     fn weights_exactly(&self, corners: &[[f32; 3]; 3]) -> (f32, f32) {
         self.case(corners).weights()
     }
-}
-
-/// `(v1 - v0) x (v2 - v0)` in `f64`, then rounded.
-#[inline(always)]
-pub fn normal(triangle: &impl Corners) -> [f32; 3] {
-    let [a, b, c] = triangle.all();
-    let (a, b, c) = (double(a), double(b), double(c));
-    let n = cross(sub(b, a), sub(c, a));
-    three(|k| n[k] as f32)
 }
 
 /// Whether the triangle has no area, exactly.

@@ -59,8 +59,9 @@ fn with(mesh: &Mesh, options: &Options, control: &mut Control<'_>) -> Result<Vec
 
 #[track_caller]
 fn assert_same_bytes(mesh: &Mesh, options: &Options, what: &str) {
-    let expected = build(mesh, options);
-    let expected = Ok(expected.view().bytes().to_vec());
+    let mut alone = Control::default();
+    let expected = with(mesh, options, &mut alone);
+    assert!(expected.is_ok(), "{what}: {expected:?}");
     let mut teams: Vec<Box<dyn Threads>> = vec![Box::new(Backwards)];
     teams.extend([1, 2, 3, 7].map(|n| Box::new(Some(n)) as Box<dyn Threads>));
     #[cfg(feature = "rayon")]
@@ -68,6 +69,7 @@ fn assert_same_bytes(mesh: &Mesh, options: &Options, what: &str) {
     for (i, threads) in teams.iter().enumerate() {
         let mut control = Control::default().with_threads(&**threads);
         assert!(with(mesh, options, &mut control) == expected, "{what}: team {i}");
+        assert_eq!(control.work(), alone.work(), "{what}: team {i}");
     }
 }
 
@@ -91,6 +93,22 @@ fn threads_do_not_change_the_bytes_of_large_scenes() {
         if kind != "r1 deep" {
             assert_same_bytes(&mesh, &options, kind);
         }
+    }
+}
+
+/// More references than some parts, or all, may have: these are looked at once more.
+#[test]
+fn threads_do_not_change_the_bytes_of_crowded_scenes() {
+    let mut mesh = kit::tangle(3, 5000);
+    assert_same_bytes(&mesh, &Options::default(), "large triangles");
+    let small = scenes::kitchen().mesh;
+    let before = mesh.vertices.len() as u32;
+    mesh.indices.truncate(200);
+    mesh.vertices.extend(&small.vertices);
+    mesh.indices.extend(small.indices.iter().map(|triangle| triangle.map(|i| i + before)));
+    for max_refs in [2, 4, 32] {
+        let options = Options { max_refs, ..Options::default() };
+        assert_same_bytes(&mesh, &options, &format!("some large ones, {max_refs}"));
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! The library starts no thread. It cuts its longer passes into [`Task`]s with
 //! results that lie apart, hands them to the caller's [`Threads`] if there are
-//! any, and counts what was done. How a pass is cut depends on the triangles and
-//! the options alone: so do the bytes built.
+//! any, and counts what was done. What a task does depends on the triangles and
+//! the options alone, or makes no difference: so do the bytes built.
 
 use core::ops::ControlFlow;
 

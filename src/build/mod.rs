@@ -5,8 +5,9 @@
 //! `frame` decide geometry; `flatten` writes the arena. All memory is cut from one
 //! scratch block (`capacity`, `scratch`), so that both doors of the library, with
 //! and without an allocator, run the same code and write the same bytes. `control`
-//! is what a build may use of the caller's meanwhile; `gather` and `parts`, which
-//! `flatten` leaves the voxels to, split their work into tasks.
+//! is what a build may use of the caller's meanwhile: `gather`, `bucket` for many
+//! triangles, `split` for the grids below, `parts`, which `flatten` leaves the voxels to,
+//! and `counts` cut their work into tasks.
 
 mod arrangement;
 mod bounds;

@@ -27,7 +27,7 @@ pub fn recursive(
     let mut batch = Batch::new();
     let mut next = Place { grid: 0, voxel: 0 };
     loop {
-        let room = next.collect(&mut batch, draft, options, control);
+        let room = next.collect(&mut batch, draft, options, control)?;
         if batch.is_empty() {
             break;
         }
@@ -45,6 +45,9 @@ pub fn recursive(
     Ok(())
 }
 
+/// Voxels looked at between two reports.
+const TICK: usize = 4096;
+
 /// A voxel of a grid, to be looked at next.
 struct Place {
     grid: usize,
@@ -60,7 +63,7 @@ impl Place {
         draft: &mut Draft<'_>,
         options: &Options,
         control: &mut Control<'_>,
-    ) -> bool {
+    ) -> Result<bool, Error> {
         let rule = inner_rule(options);
         let filled = draft.grids().len();
         while self.grid < filled {
@@ -77,15 +80,18 @@ impl Place {
                     let child = child.divided(&rule, span.count as usize);
                     match batch.join(draft, grid.first + i as u32, span.count, child) {
                         Joined::Yes => {}
-                        Joined::Later => return true,
-                        Joined::Never => return false,
+                        Joined::Later => return Ok(true),
+                        Joined::Never => return Ok(false),
                     }
                 }
                 self.voxel += 1;
+                if self.voxel.is_multiple_of(TICK) {
+                    control.tick(TICK, self.grid, filled)?;
+                }
             }
-            control.count(self.voxel);
+            control.tick(self.voxel % TICK, self.grid, filled)?;
             *self = Self { grid: self.grid + 1, voxel: 0 };
         }
-        true
+        Ok(true)
     }
 }

@@ -38,7 +38,7 @@ pub enum Joined {
     Yes,
     /// The batch is full.
     Later,
-    /// The memory is.
+    /// The memory is, whatever the batch leaves of it.
     Never,
 }
 
@@ -100,7 +100,8 @@ impl Batch {
         let room = draft.span_memory.len() - draft.spans - self.voxels;
         let fits = voxels <= room && words <= draft.stream.len();
         if !fits || draft.push(grid).is_err() {
-            return Joined::Never;
+            // What others of the batch do not need after all may be enough.
+            return if self.count > 0 { Joined::Later } else { Joined::Never };
         }
         let [start, size, count] = [self.words, words, voxels].map(|x| x as u32);
         self.splits[self.count] =
@@ -173,11 +174,11 @@ impl Batch {
         for i in 0..self.count {
             let split = self.splits[i];
             let objects = draft.span_memory[split.voxel as usize].count;
-            if split.together && split.refs >= 2 * objects {
+            if refs + split.refs as usize > draft.ref_memory.len() {
+                goes_on = false;
+            } else if split.together && split.refs >= 2 * objects {
                 self.wasted += split.refs as usize;
                 goes_on = self.wasted <= draft.ref_memory.len();
-            } else if refs + split.refs as usize > draft.ref_memory.len() {
-                goes_on = false;
             } else {
                 let grid = draft.grid_memory[first + i];
                 let voxels = grid.voxels() as usize;

@@ -4,7 +4,7 @@ use super::query::{Closest, Query, usable, visible};
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, Ray};
 use crate::simd::{Portable, fpenv};
-use crate::triangle::{Line, Met, normal};
+use crate::triangle::{Line, Met};
 
 /// [`Line::meet`]. Not inlined, here and below: one copy serves all that need not be the
 /// fastest.
@@ -17,7 +17,8 @@ pub(super) fn meet(line: &Line, triangle: &Triangle, limit: f32) -> Option<Met> 
 #[inline(never)]
 pub(super) fn record(line: &Line, triangle: &Triangle, Met { t, weights }: Met) -> Hit {
     let (u, v) = weights.unwrap_or_else(|| line.weights(triangle));
-    Hit { t, u, v, ng: normal(triangle), geom: triangle.geom, prim: triangle.prim, ..Hit::miss(t) }
+    let ng = line.apex(triangle).normal();
+    Hit { t, u, v, ng, geom: triangle.geom, prim: triangle.prim, ..Hit::miss(t) }
 }
 
 /// The hit of `ray` on a triangle, or the record of a miss: what [`crate::View::intersect`]

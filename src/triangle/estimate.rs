@@ -115,10 +115,10 @@ impl Apex {
 }
 
 impl Apex {
-    /// `(v1 - v0) x (v2 - v0)`, rounded.
+    /// `(v1 - v0) x (v2 - v0)` in `f64`, then rounded.
     #[inline(always)]
     pub fn normal(&self) -> [f32; 3] {
-        // Differences the other way round are the same but for their signs; that of 0 is +.
+        // Of differences the other way round: the same, and no -0.
         three(|k| (0.0 - self.normal[k]) as f32)
     }
 }

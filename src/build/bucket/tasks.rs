@@ -24,7 +24,8 @@ struct Part<'a> {
 }
 
 /// Does what [`find`](super::find) does, or returns `false`: where the grid would have to be
-/// made coarser, and where there is nobody to share the work with.
+/// made coarser, where a part has much more than its share of references, where triangles are
+/// few, and where there is nobody to share the work with.
 pub fn find_in_tasks(
     grid: &Grid,
     objects: &[u32],
@@ -38,10 +39,10 @@ pub fn find_in_tasks(
         return Ok(false);
     }
     notes.spans[..voxels].fill(EMPTY);
-    control.count(voxels);
     let finder = Finder::new(grid, triangle, |_| [[0.0; 3]; 2]);
     let most = PART * (max_refs as usize + 1);
-    let budget = objects.len() * max_refs as usize;
+    let budget = objects.len().saturating_mul(max_refs as usize);
+    let work = 4 * PART * max_refs as usize;
     let (all, mut end, mut seen, mut rows) = (objects.len(), 0, 0, 0);
     for batch in objects.chunks(PART * TASKS) {
         let count = batch.len().div_ceil(PART);
@@ -54,6 +55,10 @@ pub fn find_in_tasks(
         });
         control.each(&mut parts, |part| {
             for &object in part.objects {
+                // What is too much for a part, `find` looks at more closely.
+                if part.words > size || part.rows > work {
+                    break;
+                }
                 let free = part.stream.get_mut(part.words..).unwrap_or_default();
                 let [count, rows] = finder.note(object, free);
                 part.words += 1 + count;
@@ -63,7 +68,7 @@ pub fn find_in_tasks(
         let found = parts.map(|part| part.map(|part| [part.words, part.rows]));
         let mut piece = end;
         for [words, looked_at] in found.into_iter().flatten() {
-            if words > size {
+            if words > size || looked_at > work {
                 return Ok(false);
             }
             notes.stream.copy_within(piece..piece + words, end);
@@ -79,12 +84,13 @@ pub fn find_in_tasks(
                 end = next;
             }
             rows += looked_at;
-            control.count(words + looked_at);
         }
         control.at(seen, all)?;
-        if end - seen > budget || rows > budget.saturating_mul(4) {
+        if end - seen > budget {
             return Ok(false);
         }
     }
+    // As much as `find` counts, which nothing of what is in vain adds to.
+    control.count(voxels + end + rows);
     Ok(true)
 }
