@@ -4,34 +4,19 @@
 //! decided which grids are kept, and these are filled. Which voxels are a batch, and what
 //! memory each new grid gets, follows from the lists' lengths alone.
 
-use super::bucket::{Lists, Notes, find, total};
+mod tasks;
+
 use super::control::{Control, TASKS, parts};
-use super::draft::{Crowded, Draft, Span};
+use super::draft::Draft;
 use super::frame::Grid;
-use super::gather::Soup;
 use super::scratch::cut;
 use crate::Error;
+use tasks::{Filling, Finding, Input, Split, sums, take};
 
 /// Voxels of a batch, at most.
 const MOST: usize = 256;
 /// Words of the stream that a batch of several voxels takes, at most: 8 megabytes.
 const WORDS: usize = 1 << 21;
-
-/// A voxel that is to become a grid.
-#[derive(Clone, Copy, Default)]
-struct Split {
-    voxel: u32,
-    /// Where its piece of the stream begins, and the size of that.
-    start: u32,
-    words: u32,
-    /// Voxels of the grid, at first those that it was meant to have.
-    voxels: u32,
-    /// References of the grid.
-    refs: u32,
-    /// Whether some voxel of the grid still holds all objects.
-    together: bool,
-    work: u64,
-}
 
 /// What became of a voxel that was to join a batch.
 pub enum Joined {
@@ -50,38 +35,6 @@ pub struct Batch {
     voxels: usize,
     /// References of splits that were undone so far.
     wasted: usize,
-}
-
-/// What tasks read.
-struct Input<'a> {
-    soup: &'a Soup<'a>,
-    order: &'a [u32],
-    spans: &'a [Span],
-    refs: &'a [u32],
-    max_refs: u32,
-}
-
-impl Input<'_> {
-    fn list(&self, split: &Split) -> &[u32] {
-        let Span { start, count } = self.spans[split.voxel as usize];
-        &self.refs[start as usize..][..count as usize]
-    }
-}
-
-/// Some splits of a batch, their grids, and free memory for these.
-struct Finding<'a> {
-    splits: &'a mut [Split],
-    grids: &'a mut [Grid],
-    spans: &'a mut [Span],
-    stream: &'a mut [u32],
-}
-
-/// The same, once it is known what they refer to.
-struct Filling<'a> {
-    splits: &'a [Split],
-    spans: &'a mut [Span],
-    refs: &'a mut [u32],
-    first_ref: usize,
 }
 
 impl Batch {
@@ -238,70 +191,5 @@ impl Batch {
             draft.replace(split.voxel, number);
         }
         Ok(())
-    }
-}
-
-/// How many splits, from the first on, it takes for `share` of something.
-fn take(splits: &[Split], share: usize, of: impl Fn(&Split) -> u32) -> usize {
-    let mut sum = 0;
-    let short = |split: &&Split| {
-        let short = sum < share;
-        sum += of(split) as usize;
-        short
-    };
-    splits.iter().take_while(short).count()
-}
-
-/// Sums of two things of splits.
-fn sums(splits: &[Split], of: impl Fn(&Split) -> [u32; 2]) -> [usize; 2] {
-    splits.iter().fold([0; 2], |[a, b], split| {
-        let [x, y] = of(split);
-        [a + x as usize, b + y as usize]
-    })
-}
-
-impl Finding<'_> {
-    fn find(&mut self, input: &Input<'_>) {
-        let (mut spans, mut stream) = (&mut *self.spans, &mut *self.stream);
-        for (split, grid) in self.splits.iter_mut().zip(&mut *self.grids) {
-            let objects = input.list(split);
-            let triangle =
-                |object: u32| input.soup.triangles[input.order[object as usize] as usize];
-            let spans = cut(&mut spans, split.voxels as usize);
-            let stream = cut(&mut stream, split.words as usize);
-            let mut work = 0;
-            let tick = |more, _| {
-                work += more as u64;
-                Ok(())
-            };
-            let notes = Notes { spans, stream, starts: &mut [] };
-            let shapes = (triangle, |_| [[0.0; 3]; 2]);
-            // Memory suffices for the budget, and a grid of one voxel is in it.
-            let limits = (input.max_refs, Crowded::Coarsen);
-            let found = find(grid, objects, shapes, notes, limits, tick);
-            debug_assert_eq!(found, Ok(()), "a piece is too small");
-            let spans = &spans[..grid.voxels() as usize];
-            split.refs = total(spans) as u32;
-            split.together = spans.iter().any(|span| span.count as usize >= objects.len());
-            split.work = work;
-        }
-    }
-}
-
-impl Filling<'_> {
-    fn fill(&mut self, input: &Input<'_>, stream: &[u32]) {
-        let (mut spans, mut refs) = (&mut *self.spans, &mut *self.refs);
-        let mut first_ref = self.first_ref;
-        for split in self.splits {
-            let voxels = cut(&mut spans, split.voxels as usize);
-            let refs = cut(&mut refs, split.refs as usize);
-            let mut lists = Lists::open(voxels, refs, first_ref, stream);
-            let mut start = split.start;
-            for &object in input.list(split) {
-                start = lists.put(object, start);
-            }
-            lists.close();
-            first_ref += split.refs as usize;
-        }
     }
 }

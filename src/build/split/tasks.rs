@@ -1,0 +1,120 @@
+//! The tasks of a batch: finding what new grids refer to, and filling these.
+
+use crate::build::bucket::{Lists, Notes, find, total};
+use crate::build::draft::{Crowded, Span};
+use crate::build::frame::Grid;
+use crate::build::gather::Soup;
+use crate::build::scratch::cut;
+
+/// A voxel that is to become a grid.
+#[derive(Clone, Copy, Default)]
+pub struct Split {
+    pub voxel: u32,
+    /// Where its piece of the stream begins, and the size of that.
+    pub start: u32,
+    pub words: u32,
+    /// Voxels of the grid, at first those that it was meant to have.
+    pub voxels: u32,
+    /// References of the grid.
+    pub refs: u32,
+    /// Whether some voxel of the grid still holds all objects.
+    pub together: bool,
+    pub work: u64,
+}
+
+/// What tasks read.
+pub struct Input<'a> {
+    pub soup: &'a Soup<'a>,
+    pub order: &'a [u32],
+    pub spans: &'a [Span],
+    pub refs: &'a [u32],
+    pub max_refs: u32,
+}
+
+impl Input<'_> {
+    fn list(&self, split: &Split) -> &[u32] {
+        let Span { start, count } = self.spans[split.voxel as usize];
+        &self.refs[start as usize..][..count as usize]
+    }
+}
+
+/// Some splits of a batch, their grids, and free memory for these.
+pub struct Finding<'a> {
+    pub splits: &'a mut [Split],
+    pub grids: &'a mut [Grid],
+    pub spans: &'a mut [Span],
+    pub stream: &'a mut [u32],
+}
+
+/// The same, once it is known what they refer to.
+pub struct Filling<'a> {
+    pub splits: &'a [Split],
+    pub spans: &'a mut [Span],
+    pub refs: &'a mut [u32],
+    pub first_ref: usize,
+}
+
+/// How many splits, from the first on, it takes for `share` of something.
+pub fn take(splits: &[Split], share: usize, of: impl Fn(&Split) -> u32) -> usize {
+    let mut sum = 0;
+    let short = |split: &&Split| {
+        let short = sum < share;
+        sum += of(split) as usize;
+        short
+    };
+    splits.iter().take_while(short).count()
+}
+
+/// Sums of two things of splits.
+pub fn sums(splits: &[Split], of: impl Fn(&Split) -> [u32; 2]) -> [usize; 2] {
+    splits.iter().fold([0; 2], |[a, b], split| {
+        let [x, y] = of(split);
+        [a + x as usize, b + y as usize]
+    })
+}
+
+impl Finding<'_> {
+    pub fn find(&mut self, input: &Input<'_>) {
+        let (mut spans, mut stream) = (&mut *self.spans, &mut *self.stream);
+        for (split, grid) in self.splits.iter_mut().zip(&mut *self.grids) {
+            let objects = input.list(split);
+            let triangle =
+                |object: u32| input.soup.triangles[input.order[object as usize] as usize];
+            let spans = cut(&mut spans, split.voxels as usize);
+            let stream = cut(&mut stream, split.words as usize);
+            let mut work = 0;
+            let tick = |more, _| {
+                work += more as u64;
+                Ok(())
+            };
+            let notes = Notes { spans, stream, starts: &mut [] };
+            let shapes = (triangle, |_| [[0.0; 3]; 2]);
+            // Memory suffices for the budget, and a grid of one voxel is in it.
+            let limits = (input.max_refs, Crowded::Coarsen);
+            let found = find(grid, objects, shapes, notes, limits, tick);
+            debug_assert_eq!(found, Ok(()), "a piece is too small");
+            let spans = &spans[..grid.voxels() as usize];
+            split.refs = total(spans) as u32;
+            split.together = spans.iter().any(|span| span.count as usize >= objects.len());
+            split.work = work;
+        }
+    }
+}
+
+impl Filling<'_> {
+    pub fn fill(&mut self, input: &Input<'_>, stream: &[u32]) {
+        let (mut spans, mut refs) = (&mut *self.spans, &mut *self.refs);
+        let mut first_ref = self.first_ref;
+        for split in self.splits {
+            let voxels = cut(&mut spans, split.voxels as usize);
+            let refs = cut(&mut refs, split.refs as usize);
+            let mut lists = Lists::open(voxels, refs, first_ref, stream);
+            let mut start = split.start;
+            for &object in input.list(split) {
+                start = lists.put(object, start);
+            }
+            lists.close();
+            first_ref += split.refs as usize;
+        }
+    }
+}
