@@ -94,11 +94,11 @@ impl Apex {
             let (i, j) = CYCLE[k];
             to[i].mul(edges[j]).sub(to[j].mul(edges[i]))
         });
-        // e2 x e1
+        // e1 x e2
         let normal = three(|k| {
             let (i, j) = CYCLE[k];
             let products = edges[i].mul(edges[j].swap());
-            products.second() - products.first()
+            products.first() - products.second()
         });
         let m0 = largest(to);
         let m = largest(edges);
@@ -106,7 +106,7 @@ impl Apex {
         Self {
             sides,
             normal,
-            height: dot(normal, three(|k| to[k].first())),
+            height: -dot(normal, three(|k| to[k].first())),
             height_error: (64.0 * E) * m0.first() * area,
             errors: m0.mul(m).mul(Pair::splat(20.0 * E)),
             det_error: (20.0 * E) * area,
@@ -118,8 +118,7 @@ impl Apex {
     /// `(v1 - v0) x (v2 - v0)` in `f64`, then rounded.
     #[inline(always)]
     pub fn normal(&self) -> [f32; 3] {
-        // Of differences the other way round: the same, and no -0.
-        three(|k| (0.0 - self.normal[k]) as f32)
+        three(|k| self.normal[k] as f32)
     }
 }
 
@@ -135,7 +134,7 @@ impl Estimate {
             u: weights.second(),
             v: -weights.first(),
             height: apex.height,
-            det: dot(apex.normal, *dir),
+            det: -dot(apex.normal, *dir),
             u_error: errors.second(),
             v_error: errors.first(),
             height_error: apex.height_error,
