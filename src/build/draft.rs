@@ -156,6 +156,11 @@ impl<'s> Draft<'s> {
         &self.ref_memory[span.start as usize..][..span.count as usize]
     }
 
+    /// References from number `start` on, whatever lists they are of.
+    pub fn from(&self, start: usize) -> &[u32] {
+        self.ref_memory[..self.refs].get(start..).unwrap_or_default()
+    }
+
     pub fn mark(&self) -> Mark {
         Mark { grids: self.grids, spans: self.spans, refs: self.refs }
     }

@@ -15,12 +15,17 @@ use crate::Error;
 use crate::arena::layout::{
     EMPTY, GRID, GRID_BIT, LIST, LIST_HEAD, REF_WORDS, TAG_SHIFT, Triangle,
 };
+use crate::simd::fetch;
 use core::ops::Range;
 
 /// Voxels from which on a grid is cut into slabs.
 const LARGE: u64 = 1 << 15;
 /// Voxels of a run of small grids, about.
 const RUN: u64 = 1 << 13;
+
+/// How many references ahead triangles are fetched: those of the lists to come, as lists lie
+/// in the order of the voxels.
+const AHEAD: usize = 16;
 
 /// Words of the references' section that a voxel takes.
 pub fn words(draft: &Draft<'_>, span: Span) -> u64 {
@@ -255,7 +260,13 @@ impl Output<'_> {
                     let (refs, boxes) = rest.split_at_mut(list.len());
                     refs.copy_from_slice(list);
                     let frame = Frame::new(grid, at, *word);
-                    for (to, &reference) in boxes.iter_mut().zip(&*refs) {
+                    let ahead = input.draft.from(span.start as usize + AHEAD);
+                    for (j, (to, &reference)) in boxes.iter_mut().zip(&*refs).enumerate() {
+                        if let Some(triangle) =
+                            ahead.get(j).and_then(|&r| input.triangles.get(r as usize))
+                        {
+                            fetch(triangle);
+                        }
                         *to = if reference & GRID_BIT != 0 {
                             let [lo, hi] = input.draft.place((reference & !GRID_BIT) as usize);
                             frame.word(lo, hi)

@@ -241,11 +241,7 @@ impl Lanes for Neon {
     }
     #[inline(always)]
     fn prefetch<T>(self, at: *const T) {
-        with!(core::arch::asm!(
-            "prfm pldl1keep, [{}]",
-            in(reg) at,
-            options(nostack, preserves_flags, readonly)
-        ));
+        super::fetch(at);
     }
     #[inline(always)]
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {

@@ -5,6 +5,10 @@ use crate::build::draft::{Crowded, Span};
 use crate::build::frame::Grid;
 use crate::build::gather::Soup;
 use crate::build::scratch::cut;
+use crate::simd::fetch;
+
+/// Triangles of a list that are fetched before they are looked at: some 64 kB of them.
+const SOON: usize = 1024;
 
 /// A voxel that is to become a grid.
 #[derive(Clone, Copy, Default)]
@@ -79,7 +83,10 @@ impl Finding<'_> {
         for (split, grid) in self.splits.iter_mut().zip(&mut *self.grids) {
             let objects = input.list(split);
             let triangle =
-                |object: u32| input.soup.triangles[input.order[object as usize] as usize];
+                |object: u32| &input.soup.triangles[input.order[object as usize] as usize];
+            // They lie about in the soup.
+            objects.iter().take(SOON).for_each(|&object| fetch(triangle(object)));
+            let triangle = |object| *triangle(object);
             let spans = cut(&mut spans, split.voxels as usize);
             let stream = cut(&mut stream, split.words as usize);
             let mut work = 0;

@@ -9,7 +9,7 @@ macro_rules! four_lanes {
 
         #[inline(always)]
         fn prefetch<T>(self, at: *const T) {
-            with!(_mm_prefetch::<_MM_HINT_T0>(at.cast()))
+            crate::simd::fetch(at);
         }
         #[inline(always)]
         fn array_f32(self, a: __m128) -> [f32; 4] {
