@@ -27,16 +27,17 @@ struct Args {
     #[arg(long, value_delimiter = ',', default_value = "files")]
     scene: Vec<String>,
     /// Alphas of the outermost grid, several with commas
-    #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.63, 0.8, 1.26])]
+    #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.8, 1.26])]
     world_alpha: Vec<f32>,
     /// Alphas of the grids below, several with commas
-    #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.7, 1.0])]
+    #[arg(long, value_delimiter = ',', default_values_t = [0.4, 0.5, 0.7, 1.0])]
     alpha: Vec<f32>,
     /// References up to which a voxel is not split, several with commas
-    #[arg(long, value_delimiter = ',', default_values_t = [64, 128, 256, 512, 1024])]
+    #[arg(long, value_delimiter = ',', default_values_t = [64, 128, 192, 256, 512])]
     maxp: Vec<u32>,
-    /// Share of the best queries' speed that the setting that builds soonest has to keep
-    #[arg(long, default_value_t = 0.93)]
+    /// Share of the best setting's speed that the one that builds soonest has to keep, in each set
+    /// of rays
+    #[arg(long, default_value_t = 0.9)]
     keep: f64,
     /// Pixels along each side of a frame
     #[arg(long, default_value_t = 96, value_parser = clap::value_parser!(u32).range(8..=4096))]

@@ -283,9 +283,9 @@ impl Options {
             return *self;
         }
         let (world_alpha, alpha, maxp) = match self.quality {
-            _ if self.compact => (0.4, 0.4, 2048),
-            Quality::Fast => (0.5, 0.4, 1024),
-            Quality::Default => (0.63, 0.5, 512),
+            _ if self.compact => (0.4, 0.4, 768),
+            Quality::Fast => (0.5, 0.4, 512),
+            Quality::Default => (0.8, 0.5, 192),
             Quality::High => (1.26, 0.7, 128),
         };
         let most = cbrt((WORLD_VOXELS / triangles.max(1) as f64).max(WORLD_SHARE)) as f32;

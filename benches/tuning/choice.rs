@@ -7,8 +7,8 @@ use super::measure::{Figures, Measured};
 pub enum Rule {
     /// Its queries are quickest: for quality HIGH.
     BestQueries,
-    /// Of those whose queries have this share of the best's speed, it builds soonest: for the
-    /// default quality.
+    /// Of those with this share of that one's speed in each set of rays, it builds soonest: for
+    /// the default quality.
     SoonestBuild { keep: f64 },
 }
 
@@ -17,7 +17,7 @@ impl Rule {
         match self {
             Self::BestQueries => "Quickest queries".to_owned(),
             Self::SoonestBuild { keep } => {
-                format!("Soonest build with {keep} of the quickest queries' speed")
+                format!("Soonest build with {keep} of that speed in each set of rays, single")
             }
         }
     }
@@ -25,12 +25,15 @@ impl Rule {
     /// The best setting's place.
     pub fn choose(self, scenes: &[&Measured]) -> usize {
         let means = means(scenes);
-        let least = means.iter().map(Figures::queries).fold(f64::INFINITY, f64::min);
+        let best = means.iter().min_by(|a, b| a.queries().total_cmp(&b.queries()));
+        let best = best.copied().unwrap_or_default();
         let place = match self {
-            Self::BestQueries => means.iter().position(|m| m.queries() <= least),
+            Self::BestQueries => means.iter().position(|m| m.queries() <= best.queries()),
             Self::SoonestBuild { keep } => {
-                let fine = |m: &Figures| m.queries() <= least - keep.ln();
-                let fine = means.iter().enumerate().filter(|(_, m)| fine(m));
+                let keeps = |m: &Figures| {
+                    m.single.iter().zip(&best.single).all(|(one, best)| *one <= best - keep.ln())
+                };
+                let fine = means.iter().enumerate().filter(|(_, m)| keeps(m));
                 fine.min_by(|a, b| a.1.build.total_cmp(&b.1.build)).map(|(place, _)| place)
             }
         };
@@ -41,15 +44,15 @@ impl Rule {
 /// Each setting's mean figures over scenes.
 pub fn means(scenes: &[&Measured]) -> Vec<Figures> {
     let count = scenes.first().map_or(0, |scene| scene.figures.len());
-    let mean = |place: usize, figure: fn(&Figures) -> f64| {
+    let mean = |place: usize, figure: &dyn Fn(&Figures) -> f64| {
         scenes.iter().map(|s| figure(&s.figures[place])).sum::<f64>() / scenes.len() as f64
     };
     (0..count)
         .map(|place| Figures {
-            build: mean(place, |f| f.build),
-            bytes: mean(place, |f| f.bytes),
-            single: mean(place, |f| f.single),
-            stream: mean(place, |f| f.stream),
+            build: mean(place, &|f| f.build),
+            bytes: mean(place, &|f| f.bytes),
+            single: std::array::from_fn(|k| mean(place, &|f| f.single[k])),
+            stream: std::array::from_fn(|k| mean(place, &|f| f.stream[k])),
         })
         .collect()
 }

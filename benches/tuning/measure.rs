@@ -17,15 +17,19 @@ pub struct Figures {
     pub build: f64,
     /// Of bytes a triangle.
     pub bytes: f64,
-    /// Of seconds, the mean over the sets of rays.
-    pub single: f64,
-    pub stream: f64,
+    /// Of seconds, by set of rays; 0 where that is empty.
+    pub single: [f64; SETS],
+    pub stream: [f64; SETS],
 }
+
+/// Sets of rays.
+pub const SETS: usize = Set::ALL.len();
 
 impl Figures {
     /// Of all queries: what a single ray takes counts twice.
     pub fn queries(&self) -> f64 {
-        (2.0 * self.single + self.stream) / 3.0
+        let sum = |of: &[f64; SETS]| of.iter().sum::<f64>();
+        (2.0 * sum(&self.single) + sum(&self.stream)) / (3 * SETS) as f64
     }
 }
 
@@ -62,14 +66,16 @@ pub fn scene(loaded: &Loaded, settings: &[Setting], args: &Args) -> Result<Measu
             ..Figures::default()
         })
         .collect();
-    let sets = Set::ALL.map(|set| (set, rays.get(set))).into_iter();
-    let sets: Vec<(Set, &[Ray])> = sets.filter(|(_, rays)| !rays.is_empty()).collect();
-    for &(set, rays) in &sets {
+    for (k, set) in Set::ALL.into_iter().enumerate() {
+        let rays = rays.get(set);
+        if rays.is_empty() {
+            continue;
+        }
         for stream in [false, true] {
             let took = queries(&built, set, rays, stream, args.rounds as usize);
             for (figures, took) in figures.iter_mut().zip(took) {
                 let to = if stream { &mut figures.stream } else { &mut figures.single };
-                *to += took.ln() / sets.len() as f64;
+                to[k] = took.ln();
             }
         }
     }
@@ -96,6 +102,13 @@ fn queries(built: &[Scene], set: Set, rays: &[Ray], stream: bool, rounds: usize)
             black_box((&mut hits, &mut any));
         }));
     }
-    let seconds = rounds::run(&mut all, rays.len(), rounds, clock::thread);
+    let mut seconds = vec![Vec::new(); all.len()];
+    for _ in 0..rounds {
+        for (contender, seconds) in all.iter_mut().zip(&mut seconds) {
+            // Whoever was here before has left nothing of this one in the caches.
+            contender(rays.len());
+            seconds.push(clock::seconds(clock::thread, || contender(rays.len())));
+        }
+    }
     seconds.into_iter().map(|rounds| Spread::of(rounds).median).collect()
 }

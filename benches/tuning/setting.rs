@@ -18,7 +18,7 @@ const WORLD_SHARE: f64 = 1.0 / 8.0;
 impl Setting {
     /// What AUTO takes at its default quality; that this makes the same bytes says whether
     /// what stands here is still what AUTO does.
-    pub const AUTO: Self = Self { world_alpha: 0.63, alpha: 0.5, maxp: 512 };
+    pub const AUTO: Self = Self { world_alpha: 0.8, alpha: 0.5, maxp: 192 };
 
     /// For a scene of so many triangles.
     pub fn options(&self, triangles: usize) -> Options {

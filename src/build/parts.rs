@@ -19,7 +19,7 @@ use crate::simd::fetch;
 use core::ops::Range;
 
 /// Voxels from which on a grid is cut into slabs.
-const LARGE: u64 = 1 << 15;
+const LARGE: u64 = 1 << 13;
 /// Voxels of a run of small grids, about.
 const RUN: u64 = 1 << 13;
 
