@@ -224,7 +224,8 @@ typedef struct {
    */
   uint32_t counts[3];
   /**
-   * Voxels per axis and cube root of a grid's objects, 0.1 to 16. 0 means 1.
+   * Voxels per axis and cube root of a grid's objects, 0.1 to 16. 0 means 1. AUTO takes alpha,
+   * world_alpha and maxp from the quality.
    */
   float alpha;
   /**

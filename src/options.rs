@@ -157,7 +157,8 @@ pub struct Options {
     /// zeros derive them from `alpha` or `world_alpha`.
     pub counts: [u32; 3],
     /// Voxels per axis and cube root of the objects (the cube-root criterion):
-    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16].
+    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16]. AUTO takes `alpha`, `world_alpha`
+    /// and `maxp` from the quality.
     pub alpha: f32,
     /// The same for the outermost grid, in [0.1, 16]. Unless set, it is `alpha` for
     /// the uniform and the recursive grid. For the HUG's world cluster it is the
@@ -283,7 +284,7 @@ impl Options {
             return *self;
         }
         let (world_alpha, alpha, maxp) = match self.quality {
-            _ if self.compact => (0.4, 0.4, 768),
+            _ if self.compact => (0.45, 0.4, 512),
             Quality::Fast => (0.5, 0.4, 512),
             Quality::Default => (0.8, 0.5, 192),
             Quality::High => (1.26, 0.7, 128),

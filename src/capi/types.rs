@@ -217,7 +217,8 @@ pub struct hug_build_desc {
     pub gridding: hug_gridding,
     /// Voxels of the outermost grid along x, y, z, 1 to 2048 each; all 0 derive them from world_alpha.
     pub counts: [u32; 3],
-    /// Voxels per axis and cube root of a grid's objects, 0.1 to 16. 0 means 1.
+    /// Voxels per axis and cube root of a grid's objects, 0.1 to 16. 0 means 1. AUTO takes alpha,
+    /// world_alpha and maxp from the quality.
     pub alpha: f32,
     /// The same for the outermost grid. 0 means alpha, for the HUG sqrt(2), or with two levels up
     /// to 2 as long as there are no more voxels than sqrt(2) makes for all triangles.
