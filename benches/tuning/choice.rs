@@ -25,19 +25,20 @@ impl Rule {
     /// The best setting's place.
     pub fn choose(self, scenes: &[&Measured]) -> usize {
         let means = means(scenes);
-        let best = means.iter().min_by(|a, b| a.queries().total_cmp(&b.queries()));
-        let best = best.copied().unwrap_or_default();
-        let place = match self {
-            Self::BestQueries => means.iter().position(|m| m.queries() <= best.queries()),
+        let all = means.iter().enumerate();
+        let quickest = all.clone().min_by(|a, b| a.1.queries().total_cmp(&b.1.queries()));
+        let Some((place, best)) = quickest else { return 0 };
+        match self {
+            Self::BestQueries => place,
             Self::SoonestBuild { keep } => {
                 let keeps = |m: &Figures| {
                     m.single.iter().zip(&best.single).all(|(one, best)| *one <= best - keep.ln())
                 };
-                let fine = means.iter().enumerate().filter(|(_, m)| keeps(m));
-                fine.min_by(|a, b| a.1.build.total_cmp(&b.1.build)).map(|(place, _)| place)
+                let soonest =
+                    all.filter(|(_, m)| keeps(m)).min_by(|a, b| a.1.build.total_cmp(&b.1.build));
+                soonest.map_or(place, |(place, _)| place)
             }
-        };
-        place.unwrap_or(0)
+        }
     }
 }
 

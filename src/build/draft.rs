@@ -157,7 +157,7 @@ impl<'s> Draft<'s> {
     }
 
     /// References from number `start` on, whatever lists they are of.
-    pub fn from(&self, start: usize) -> &[u32] {
+    pub fn refs_from(&self, start: usize) -> &[u32] {
         self.ref_memory[..self.refs].get(start..).unwrap_or_default()
     }
 

@@ -260,7 +260,7 @@ impl Output<'_> {
                     let (refs, boxes) = rest.split_at_mut(list.len());
                     refs.copy_from_slice(list);
                     let frame = Frame::new(grid, at, *word);
-                    let ahead = input.draft.from(span.start as usize + AHEAD);
+                    let ahead = input.draft.refs_from(span.start as usize + AHEAD);
                     for (j, (to, &reference)) in boxes.iter_mut().zip(&*refs).enumerate() {
                         if let Some(triangle) =
                             ahead.get(j).and_then(|&r| input.triangles.get(r as usize))

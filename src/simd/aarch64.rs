@@ -240,10 +240,6 @@ impl Lanes for Neon {
         with!(vfmaq_f32(c, a, b))
     }
     #[inline(always)]
-    fn prefetch<T>(self, at: *const T) {
-        super::fetch(at);
-    }
-    #[inline(always)]
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {
         with!({
             let words = vreinterpretq_f32_u32(vld1q_u32(words.as_ptr()));

@@ -19,7 +19,10 @@ pub(crate) trait Lanes: Copy + 'static {
     const WIDE: usize;
 
     /// Brings what `at` points to closer, if that is quicker; reads nothing.
-    fn prefetch<T>(self, at: *const T);
+    #[inline(always)]
+    fn prefetch<T>(self, at: *const T) {
+        super::fetch(at);
+    }
 
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;

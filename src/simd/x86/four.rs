@@ -8,10 +8,6 @@ macro_rules! four_lanes {
         type I32 = __m128i;
 
         #[inline(always)]
-        fn prefetch<T>(self, at: *const T) {
-            crate::simd::fetch(at);
-        }
-        #[inline(always)]
         fn array_f32(self, a: __m128) -> [f32; 4] {
             let mut array = [0.0; 4];
             with!(_mm_storeu_ps(array.as_mut_ptr(), a));
