@@ -44,6 +44,13 @@
 #define HUG_BUILD_KEEP_SCRATCH 4
 
 /**
+ * Build flag, for the recursive grid: where few references are in crowded voxels, these
+ * are cut more finely, until the grids below have alpha^3 voxels for each triangle of the
+ * scene together, or one for each of these references. AUTO does so.
+ */
+#define HUG_BUILD_FILL_UP 8
+
+/**
  * hug_open flag: the bytes come from this library and are not checked.
  * Damaged bytes then make queries undefined.
  */

@@ -157,8 +157,8 @@ pub struct Options {
     /// zeros derive them from `alpha` or `world_alpha`.
     pub counts: [u32; 3],
     /// Voxels per axis and cube root of the objects (the cube-root criterion):
-    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16]. AUTO takes `alpha`, `world_alpha`
-    /// and `maxp` from the quality.
+    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16]. AUTO takes `alpha`, `world_alpha`,
+    /// `maxp` and `fill_up` from the quality.
     pub alpha: f32,
     /// The same for the outermost grid, in [0.1, 16]. Unless set, it is `alpha` for
     /// the uniform and the recursive grid. For the HUG's world cluster it is the
@@ -169,6 +169,10 @@ pub struct Options {
     pub maxp: u32,
     /// Recursive grid: most levels of grids, 1 to [`MAX_LEVELS`].
     pub max_depth: u32,
+    /// Recursive grid: the voxels that the grids below have together are `alpha^3` for each
+    /// triangle of the scene, not for each reference in a crowded voxel, where these are fewer;
+    /// but no more than one for each of these. So where little is crowded, that is cut finely.
+    pub fill_up: bool,
     /// HUG: the filter of lengths.
     pub filter: Filter,
     /// HUG: what a cluster is.
@@ -211,6 +215,7 @@ impl Default for Options {
             world_alpha: None,
             maxp: 50,
             max_depth: 8,
+            fill_up: false,
             filter: Filter::default(),
             clustering: Clustering::Projections,
             connectivity: 1.0,
@@ -236,6 +241,9 @@ const TWO_LEVELS_ALPHA: f32 = 2.0;
 /// is a voxel for every eight triangles at least.
 const WORLD_VOXELS: f64 = (1u32 << 17) as f64;
 const WORLD_SHARE: f64 = 1.0 / 8.0;
+/// Where triangles are so few that all of a scene may stay in a cache, there are more, as far
+/// as voxels times triangles are no more than this: 2^18 voxels for 2^17 triangles.
+const WORLD_TIMES: f64 = (1u64 << 35) as f64;
 
 /// Largest voxel count along an axis.
 pub(crate) const MAX_COUNT: u32 = 2048;
@@ -284,14 +292,16 @@ impl Options {
             return *self;
         }
         let (world_alpha, alpha, maxp) = match self.quality {
-            _ if self.compact => (0.45, 0.4, 512),
+            _ if self.compact => (0.48, 0.4, 512),
             Quality::Fast => (0.5, 0.4, 512),
-            Quality::Default => (0.8, 0.5, 192),
+            Quality::Default => (0.8, 0.55, 160),
             Quality::High => (1.26, 0.7, 128),
         };
-        let most = cbrt((WORLD_VOXELS / triangles.max(1) as f64).max(WORLD_SHARE)) as f32;
+        let n = triangles.max(1) as f64;
+        let most = cbrt((WORLD_TIMES / n).max(WORLD_VOXELS).max(WORLD_SHARE * n) / n) as f32;
         let world_alpha = Some(if most < world_alpha { most } else { world_alpha });
-        Self { structure: Structure::Recursive, maxp, alpha, world_alpha, ..*self }
+        let structure = Structure::Recursive;
+        Self { structure, maxp, alpha, world_alpha, fill_up: true, ..*self }
     }
 
     /// The alpha of the outermost grid.

@@ -80,7 +80,7 @@ fn bound(n: usize, options: &Options) -> f64 {
         Structure::Hug => std::f32::consts::SQRT_2,
         _ => options.alpha,
     }));
-    let inner = cube(options.alpha);
+    let inner = cube(if options.fill_up { options.alpha.max(1.0) } else { options.alpha });
     let fill = |k: f64, voxels: f64| 12.0 * ((1.0 + 5.0 * m) * k + 3.0 * voxels);
     let gather = 2.0 * n;
     let mut sum = gather + fill(n + links, outer * (n + links) + 1.0);

@@ -5,7 +5,8 @@
 mod common;
 
 use common::{adversarial_rays, assert_same, build, ray, structures};
-use hug::{Options, Quality};
+use hug::{Options, Quality, Stats, Structure};
+use hug_kit::mesh::Mesh;
 use hug_kit::{scenes, soups};
 
 const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Default, Quality::High];
@@ -61,5 +62,35 @@ fn other_structures_keep_their_parameters() {
                 assert!(scene.view().bytes() == expected.view().bytes(), "{name}");
             }
         }
+    }
+}
+
+/// Voxels of the grids below the outermost.
+fn below(mesh: &Mesh, options: &Options) -> u64 {
+    let stats = Stats::of(&build(mesh, options).view());
+    stats.total.voxels - stats.counts.iter().map(|&n| u64::from(n)).product::<u64>()
+}
+
+/// Most triangles lie about, some in a clump: of two hundred, or as many as all others together.
+#[test]
+fn what_little_is_crowded_is_cut_finely() {
+    for (clump, finer) in [(200, true), (10_000, false)] {
+        let mut mesh = soups::uniform(10_000);
+        let small = soups::rescaled(&soups::uniform(clump), 0.02);
+        small.triangles().for_each(|t| mesh.push(t));
+        let normal = Options {
+            structure: Structure::Recursive,
+            alpha: 0.5,
+            world_alpha: Some(1.0),
+            maxp: 40,
+            max_depth: 2,
+            ..Options::default()
+        };
+        let [plain, filled] =
+            [false, true].map(|fill_up| below(&mesh, &Options { fill_up, ..normal }));
+        assert!(plain > 0, "{clump} triangles are no crowd");
+        assert_eq!(filled > 2 * plain, finer, "{clump} triangles: {plain} voxels, {filled}");
+        // A voxel for each reference at most, but for the rounding of counts.
+        assert!(filled <= 4 * clump as u64, "{clump} triangles: {filled} voxels");
     }
 }

@@ -11,23 +11,28 @@ pub struct Setting {
     pub maxp: u32,
 }
 
-/// AUTO's limits for the outermost grid: its voxels, or a share of the triangles' number.
+/// AUTO's limits for the outermost grid: its voxels, or a share of the triangles' number, or
+/// what the product of both may be.
 const WORLD_VOXELS: f64 = (1u32 << 17) as f64;
 const WORLD_SHARE: f64 = 1.0 / 8.0;
+const WORLD_TIMES: f64 = (1u64 << 35) as f64;
 
 impl Setting {
     /// What AUTO takes at its default quality; that this makes the same bytes says whether
     /// what stands here is still what AUTO does.
-    pub const AUTO: Self = Self { world_alpha: 0.8, alpha: 0.5, maxp: 192 };
+    pub const AUTO: Self = Self { world_alpha: 0.8, alpha: 0.55, maxp: 160 };
 
     /// For a scene of so many triangles.
     pub fn options(&self, triangles: usize) -> Options {
-        let most = (WORLD_VOXELS / triangles as f64).max(WORLD_SHARE).cbrt() as f32;
+        let n = triangles as f64;
+        let most = (WORLD_TIMES / n).max(WORLD_VOXELS).max(WORLD_SHARE * n);
+        let most = (most / n).cbrt() as f32;
         Options {
             structure: Structure::Recursive,
             world_alpha: Some(self.world_alpha.min(most)),
             alpha: self.alpha,
             maxp: self.maxp,
+            fill_up: true,
             ..Options::default()
         }
     }

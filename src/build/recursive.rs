@@ -9,9 +9,11 @@
 
 use super::control::Control;
 use super::draft::Draft;
+use super::frame::Rule;
 use super::split::{Batch, Joined};
 use super::uniform::{inner_rule, uniform};
 use crate::Error;
+use crate::math::cbrt;
 use crate::options::Options;
 
 /// Builds a uniform grid and splits its crowded voxels, and theirs.
@@ -25,9 +27,10 @@ pub fn recursive(
     uniform(draft, options, objects, control)?;
     control.pass(0.45)?;
     let mut batch = Batch::new();
+    let rule = rule_below(draft, options);
     let mut next = Place { grid: 0, voxel: 0 };
     loop {
-        let room = next.collect(&mut batch, draft, options, control)?;
+        let room = next.collect(&mut batch, draft, (options, &rule), control)?;
         if batch.is_empty() {
             break;
         }
@@ -43,6 +46,20 @@ pub fn recursive(
         grid.level = deepest - grid.level;
     }
     Ok(())
+}
+
+/// The rule of the grids below.
+fn rule_below(draft: &Draft<'_>, options: &Options) -> Rule {
+    let rule = inner_rule(options);
+    if !options.fill_up {
+        return rule;
+    }
+    let spans = draft.spans(&draft.grids()[0]).iter();
+    let crowded = spans.filter(|span| span.count > options.maxp);
+    let references: u64 = crowded.map(|span| u64::from(span.count)).sum();
+    let finer = cbrt(draft.soup.triangles.len() as f64 / references.max(1) as f64) as f32;
+    let room = if rule.alpha * finer < 1.0 { rule.alpha * finer } else { 1.0 };
+    Rule { alpha: if room > rule.alpha { room } else { rule.alpha }, ..rule }
 }
 
 /// Voxels looked at between two reports.
@@ -61,10 +78,9 @@ impl Place {
         &mut self,
         batch: &mut Batch,
         draft: &mut Draft<'_>,
-        options: &Options,
+        (options, rule): (&Options, &Rule),
         control: &mut Control<'_>,
     ) -> Result<bool, Error> {
-        let rule = inner_rule(options);
         let filled = draft.grids().len();
         while self.grid < filled {
             let grid = draft.grids()[self.grid];
@@ -76,7 +92,7 @@ impl Place {
                     let i = self.voxel;
                     let at = [i % nx, i / nx % ny, i / (nx * ny)].map(|i| i as u32);
                     let child = grid.inside(at, grid.level + 1);
-                    let rule = draft.weighed_from(&rule, &child, span);
+                    let rule = draft.weighed_from(rule, &child, span);
                     let child = child.divided(&rule, span.count as usize);
                     match batch.join(draft, grid.first + i as u32, span.count, child) {
                         Joined::Yes => {}

@@ -148,6 +148,11 @@ pub const HUG_BUILD_COMPACT: u32 = 2;
 /// it too.
 pub const HUG_BUILD_KEEP_SCRATCH: u32 = 4;
 
+/// Build flag, for the recursive grid: where few references are in crowded voxels, these
+/// are cut more finely, until the grids below have alpha^3 voxels for each triangle of the
+/// scene together, or one for each of these references. AUTO does so.
+pub const HUG_BUILD_FILL_UP: u32 = 8;
+
 /// hug_open flag: the bytes come from this library and are not checked.
 /// Damaged bytes then make queries undefined.
 pub const HUG_OPEN_TRUSTED: u32 = 1;

@@ -64,6 +64,7 @@ pub fn configurations() -> Vec<(&'static str, Options)> {
         ("g 8", Options { counts: [8; 3], max_refs: 4096, ..of(Structure::Uniform) }),
         ("g fine", Options { alpha: 3.0, max_refs: 256, ..of(Structure::Uniform) }),
         ("r4", Options { maxp: 4, ..of(Structure::Recursive) }),
+        ("r4 filled", Options { maxp: 4, alpha: 0.5, fill_up: true, ..of(Structure::Recursive) }),
         ("r48", Options { maxp: 48, world_alpha: Some(1.0), ..of(Structure::Recursive) }),
         ("r1 deep", Options { maxp: 1, max_depth: 16, max_refs: 512, ..of(Structure::Recursive) }),
         ("r50", of(Structure::Recursive)),

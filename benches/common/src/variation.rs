@@ -19,6 +19,8 @@ pub struct Variation {
     alpha: Option<f32>,
     world_alpha: Option<f32>,
     exit_boxes: Option<bool>,
+    maxp: Option<u32>,
+    fill_up: Option<bool>,
 }
 
 const CLUSTERINGS: [(&str, Clustering); 2] =
@@ -43,9 +45,11 @@ const ORIENTATIONS: [(&str, Orientation); 4] = [
 
 const STEPS: [(&str, bool); 2] = [("exit", true), ("plain", false)];
 
+const CROWDED: [(&str, bool); 1] = [("fill", true)];
+
 const FORMS: &str = "projections, components, proportional, homogeneous, overlap, mixed, nested, \
-                     paper, aligned, vertices, hull, search, exit, plain, or power, min, share, \
-                     alpha, world, turn = a number";
+                     paper, aligned, vertices, hull, search, exit, plain, fill, or power, min, \
+                     share, alpha, world, turn, maxp = a number";
 
 fn of<T: Copy>(list: &[(&str, T)], name: &str) -> Option<T> {
     list.iter().find(|known| known.0 == name).map(|known| known.1)
@@ -78,6 +82,8 @@ impl Variation {
             alpha: self.alpha.unwrap_or(options.alpha),
             world_alpha: self.world_alpha.or(options.world_alpha),
             exit_boxes: self.exit_boxes.unwrap_or(options.exit_boxes),
+            maxp: self.maxp.unwrap_or(options.maxp),
+            fill_up: self.fill_up.unwrap_or(options.fill_up),
             ..options
         }
     }
@@ -89,17 +95,21 @@ impl Variation {
             self.hierarchy = of(&HIERARCHIES, item).or(self.hierarchy);
             self.orientation = of(&ORIENTATIONS, item).or(self.orientation);
             self.exit_boxes = of(&STEPS, item).or(self.exit_boxes);
+            self.fill_up = of(&CROWDED, item).or(self.fill_up);
             let known = of(&CLUSTERINGS, item).is_some()
                 || of(&GRIDDINGS, item).is_some()
                 || of(&HIERARCHIES, item).is_some()
                 || of(&ORIENTATIONS, item).is_some()
-                || of(&STEPS, item).is_some();
+                || of(&STEPS, item).is_some()
+                || of(&CROWDED, item).is_some();
             return known.then_some(());
         };
         let plain = value.bytes().all(|b| b.is_ascii_digit() || b == b'.');
         let number = || value.parse().ok().filter(|_| plain);
+        let count = || value.parse().ok().filter(|_| plain);
         match key {
-            "min" => self.min_cluster = Some(value.parse().ok().filter(|_| plain)?),
+            "min" => self.min_cluster = Some(count()?),
+            "maxp" => self.maxp = Some(count()?),
             "power" => self.power = Some(number()?),
             "turn" => self.turn_below = Some(number()?),
             "share" => self.share = Some(number()?),
@@ -133,10 +143,13 @@ impl fmt::Display for Variation {
             self.hierarchy.map(|h| name(&HIERARCHIES, &h)),
             self.orientation.map(|o| name(&ORIENTATIONS, &o)),
             self.exit_boxes.map(|e| name(&STEPS, &e)),
+            self.fill_up.map(|f| name(&CROWDED, &f)),
         ];
         words.into_iter().flatten().try_for_each(|word| write!(f, "+{word}"))?;
-        if let Some(n) = self.min_cluster {
-            write!(f, "+min={n}")?;
+        for (key, count) in [("min", self.min_cluster), ("maxp", self.maxp)] {
+            if let Some(n) = count {
+                write!(f, "+{key}={n}")?;
+            }
         }
         let numbers = [
             ("power", self.power),

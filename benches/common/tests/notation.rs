@@ -38,6 +38,15 @@ fn the_papers_configurations() {
 }
 
 #[test]
+fn variations_of_the_recursive_grid() {
+    let written = "+fill+maxp=128+world=0.8";
+    let variation: Variation = "world=0.8+maxp=128+fill".parse().expect("options");
+    let options = variation.apply(Options::default());
+    assert_eq!((options.maxp, options.fill_up, options.world_alpha), (128, true, Some(0.8)));
+    assert_eq!(variation.to_string(), written);
+}
+
+#[test]
 fn other_spellings() {
     for (text, written) in [
         ("kit.u.f3.\u{221a}2", "kit.u.f3.sqrt2"),
