@@ -146,6 +146,9 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         }
         if let Some(enough) = flight.query.meet(&Line::new(&flight.ray), triangle, number) {
             self.sets.done |= u32::from(enough) << slot;
+            if Q::ANY && enough {
+                self.recent.keep(number);
+            }
             self.sieves[slot].limit(flight.query.limit());
             self.columns.stop[slot] = flight.stop();
         }

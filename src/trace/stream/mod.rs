@@ -16,6 +16,7 @@ mod columns;
 mod flight;
 mod meet;
 mod pairs;
+mod recent;
 mod round;
 mod ways;
 
@@ -31,6 +32,7 @@ use crate::simd::{AnyKernel, Isa, Kernel, Lanes, dispatch, fpenv};
 use columns::{Columns, SLOTS};
 use flight::{Flight, Frame};
 use pairs::Pairs;
+use recent::Recent;
 use round::{Lists, Rounds, Sets};
 
 /// Grids above their own in which all rays in flight can be together.
@@ -121,7 +123,7 @@ impl<Q: Query, L: Lanes> Kernel<L> for Apart<'_, '_, Q> {
         let course = Course::new(lanes, rows[0], rows[1], 1.0);
         let sections = view.sections();
         let (mut columns, mut lists) = (Columns::NONE, Lists::NONE);
-        let (mut pairs, mut due) = (Pairs::NONE, Pairs::NONE);
+        let (mut pairs, mut due, mut recent) = (Pairs::NONE, Pairs::NONE, Recent::NONE);
         Rounds {
             lanes,
             view,
@@ -138,6 +140,7 @@ impl<Q: Query, L: Lanes> Kernel<L> for Apart<'_, '_, Q> {
             pairs: &mut pairs,
             due: &mut due,
             sets: Sets::default(),
+            recent: &mut recent,
         }
         .run(FRAMES / depth.max(1));
     }

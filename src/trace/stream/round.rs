@@ -10,6 +10,7 @@ use super::Port;
 use super::columns::{Columns, SLOTS};
 use super::flight::{Flight, Frame, Grids};
 use super::pairs::Pairs;
+use super::recent::Recent;
 use super::ways::Moves;
 use crate::arena::layout::PAYLOAD;
 use crate::arena::{Sections, View};
@@ -63,6 +64,7 @@ pub(super) struct Rounds<'a, 'p, Q: Query, L: Lanes> {
     pub pairs: &'p mut Pairs,
     pub due: &'p mut Pairs,
     pub sets: Sets,
+    pub recent: &'p mut Recent,
 }
 
 /// The slots of a set. No `from_fn`: a closure might not be inlined.

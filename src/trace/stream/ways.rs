@@ -141,24 +141,29 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         self.enter(slot, 0, range)
     }
 
-    /// Whether one of the occluders is all that a ray wants.
+    /// Whether one of the occluders, or of what has stopped others lately, is all that a ray
+    /// wants.
     #[inline(always)]
     fn is_hidden(&mut self, slot: usize) -> bool {
-        let few = self.view.header().occluders();
-        if few.is_empty() {
-            return false;
-        }
-        let mut left = self.sieves[slot].pass(self.lanes, few);
+        let (recent, len) = self.recent.next();
+        let lists = [self.view.header().occluders(), &recent[..len]];
         let flight = &mut self.flights[slot];
-        while left != 0 {
-            let number = few[left.trailing_zeros() as usize];
-            left &= left - 1;
-            let triangle = self.sections.triangle(number);
-            let _ = flight.decided.is_due::<Uncounted>(number);
-            if visible(&flight.ray, triangle)
-                && flight.query.meet(&Line::new(&flight.ray), triangle, number) == Some(true)
-            {
-                return true;
+        for (list, triangles) in lists.into_iter().enumerate() {
+            for few in triangles.chunks(L::WIDE) {
+                let mut left = self.sieves[slot].pass(self.lanes, few);
+                while left != 0 {
+                    let number = few[left.trailing_zeros() as usize];
+                    left &= left - 1;
+                    let triangle = self.sections.triangle(number);
+                    if flight.decided.is_due::<Uncounted>(number)
+                        && visible(&flight.ray, triangle)
+                        && flight.query.meet(&Line::new(&flight.ray), triangle, number)
+                            == Some(true)
+                    {
+                        self.recent.stopped(list > 0);
+                        return true;
+                    }
+                }
             }
         }
         false
