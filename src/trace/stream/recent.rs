@@ -10,7 +10,7 @@ use crate::ray::NONE;
 const KEPT: usize = 8;
 /// Rays after which it is decided whether to go on, and how many of them have to be stopped.
 const TRIAL: u32 = 64;
-const WORTH: u32 = 10;
+const WORTH: u32 = 12;
 /// Rays that are spared after a trial in vain, at first; then twice as many each time, up to
 /// so many.
 const SPARED: u32 = 256;
@@ -76,7 +76,8 @@ impl Recent {
     /// Keeps a triangle that has stopped a ray on its walk.
     #[inline(always)]
     pub fn keep(&mut self, number: u32) {
-        if self.numbers.contains(&number) {
+        // Not before the next trial is near: that had to be paid for by rays that are spared.
+        if self.spared > TRIAL || self.numbers.contains(&number) {
             return;
         }
         self.numbers[self.next] = number;
