@@ -30,10 +30,10 @@ struct Args {
     #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.8, 1.26])]
     world_alpha: Vec<f32>,
     /// Alphas of the grids below, several with commas
-    #[arg(long, value_delimiter = ',', default_values_t = [0.4, 0.55, 0.7, 1.0])]
+    #[arg(long, value_delimiter = ',', default_values_t = [0.4, 0.6, 0.7, 1.0])]
     alpha: Vec<f32>,
     /// References up to which a voxel is not split, several with commas
-    #[arg(long, value_delimiter = ',', default_values_t = [64, 128, 160, 256, 512])]
+    #[arg(long, value_delimiter = ',', default_values_t = [64, 128, 192, 256, 512])]
     maxp: Vec<u32>,
     /// Share of the best setting's speed that the one that builds soonest has to keep, in each set
     /// of rays

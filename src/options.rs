@@ -294,7 +294,7 @@ impl Options {
         let (world_alpha, alpha, maxp) = match self.quality {
             _ if self.compact => (0.48, 0.4, 512),
             Quality::Fast => (0.5, 0.4, 512),
-            Quality::Default => (0.8, 0.55, 160),
+            Quality::Default => (0.8, 0.6, 192),
             Quality::High => (1.26, 0.7, 128),
         };
         let n = triangles.max(1) as f64;
