@@ -44,9 +44,10 @@
 #define HUG_BUILD_KEEP_SCRATCH 4
 
 /**
- * Build flag, for the recursive grid: where few references are in crowded voxels, these
- * are cut more finely, until the grids below have alpha^3 voxels for each triangle of the
- * scene together, or one for each of these references. AUTO does so.
+ * Build flag, for the recursive grid: where the outermost grid's crowded voxels hold fewer
+ * references than the scene has triangles, the grids below get a greater alpha, such that
+ * those directly below have alpha^3 voxels for each triangle of the scene together, but 1 at
+ * most. Without effect from an alpha of 1 on, the default. AUTO does so.
  */
 #define HUG_BUILD_FILL_UP 8
 

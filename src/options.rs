@@ -157,8 +157,8 @@ pub struct Options {
     /// zeros derive them from `alpha` or `world_alpha`.
     pub counts: [u32; 3],
     /// Voxels per axis and cube root of the objects (the cube-root criterion):
-    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16]. AUTO takes `alpha`, `world_alpha`,
-    /// `maxp` and `fill_up` from the quality.
+    /// `alpha^3 N` voxels for `N` objects. In [0.1, 16]. AUTO takes `alpha`, `world_alpha`
+    /// and `maxp` from the quality.
     pub alpha: f32,
     /// The same for the outermost grid, in [0.1, 16]. Unless set, it is `alpha` for
     /// the uniform and the recursive grid. For the HUG's world cluster it is the
@@ -169,9 +169,10 @@ pub struct Options {
     pub maxp: u32,
     /// Recursive grid: most levels of grids, 1 to [`MAX_LEVELS`].
     pub max_depth: u32,
-    /// Recursive grid: the voxels that the grids below have together are `alpha^3` for each
-    /// triangle of the scene, not for each reference in a crowded voxel, where these are fewer;
-    /// but no more than one for each of these. So where little is crowded, that is cut finely.
+    /// Recursive grid: where the outermost grid's crowded voxels hold fewer references than the
+    /// scene has triangles, the grids below get a greater alpha: such that those directly below
+    /// have `alpha^3` voxels for each triangle of the scene together, but 1 at most. So where
+    /// little is crowded, that is cut finely. Without effect from an alpha of 1 on. AUTO does so.
     pub fill_up: bool,
     /// HUG: the filter of lengths.
     pub filter: Filter,

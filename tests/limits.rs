@@ -111,7 +111,12 @@ fn bound(n: usize, options: &Options) -> f64 {
 fn work_is_in_proportion_to_triangles() {
     for n in [2000, 20_000] {
         for (name, mesh) in adversarial(n) {
-            for (kind, options) in structures().into_iter().chain(section_7()) {
+            let filled = [(0.1, 1), (0.6, 192)].map(|(alpha, maxp)| {
+                let structure = Structure::Recursive;
+                let fill_up = true;
+                ("filled", Options { structure, alpha, maxp, fill_up, ..Options::default() })
+            });
+            for (kind, options) in structures().into_iter().chain(section_7()).chain(filled) {
                 let (work, bytes) = watch(&mesh, &options);
                 let sizes = measure_count(n, &options);
                 let most = bound(n, &options);

@@ -105,6 +105,12 @@ fn check(what: &str, scene: &Scene, rays: &[Ray], wanted: &[Hit]) {
     let mut together = vec![Hit::miss(7.0); rays.len()];
     scene.view().intersect_n(rays, &mut together);
     assert!(together.iter().zip(wanted).all(|(a, b)| bits(a) == bits(b)), "{what}, in a row");
+    // Rays that are much the same are stopped by what has stopped others.
+    let mut occluded = vec![false; rays.len()];
+    scene.view().occluded_n(rays, &mut occluded);
+    for (i, (occluded, wanted)) in occluded.iter().zip(wanted).enumerate() {
+        assert_eq!(*occluded, wanted.is_hit(), "{what}: any hit, ray {i}, {:?}", rays[i]);
+    }
 }
 
 /// The one test that forces instruction sets, which are the whole process's.

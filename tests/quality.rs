@@ -83,7 +83,6 @@ fn what_little_is_crowded_is_cut_finely() {
             alpha: 0.5,
             world_alpha: Some(1.0),
             maxp: 40,
-            max_depth: 2,
             ..Options::default()
         };
         let [plain, filled] =

@@ -122,7 +122,7 @@ fn fill(desc: &mut hug_build_desc, input: &mut Input<'_>, thresholds: &[f32; 15]
         desc.max_refs = input.below(64) as u32;
     }
     if wants(18) {
-        desc.flags = input.below(16) as u32;
+        desc.flags = input.below(32) as u32;
     }
     if wants(20) {
         (desc.quality, desc.reserved) = (input.below(4) as u32, u32::from(input.rarely(8)));

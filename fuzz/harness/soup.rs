@@ -133,7 +133,8 @@ pub fn later(input: &mut Input<'_>, options: Options) -> Options {
         _ => Orientation::Aligned,
     };
     let turn_below = input.one_of(&[options.turn_below, 1e6, 1.0]);
-    Options { gridding, overlap_power, clustering, orientation, turn_below, ..options }
+    let fill_up = input.below(2) != 0;
+    Options { gridding, overlap_power, clustering, orientation, turn_below, fill_up, ..options }
 }
 
 /// Balls anywhere, of any size.

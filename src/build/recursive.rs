@@ -27,7 +27,7 @@ pub fn recursive(
     uniform(draft, options, objects, control)?;
     control.pass(0.45)?;
     let mut batch = Batch::new();
-    let rule = rule_below(draft, options);
+    let rule = rule_below(draft, options, control)?;
     let mut next = Place { grid: 0, voxel: 0 };
     loop {
         let room = next.collect(&mut batch, draft, (options, &rule), control)?;
@@ -48,18 +48,26 @@ pub fn recursive(
     Ok(())
 }
 
-/// The rule of the grids below.
-fn rule_below(draft: &Draft<'_>, options: &Options) -> Rule {
+/// The rule of the grids below. Where it is finer than `options` say by themselves, the
+/// capacity is still what their alpha needs: deep grids meet it sooner.
+fn rule_below(
+    draft: &Draft<'_>,
+    options: &Options,
+    control: &mut Control<'_>,
+) -> Result<Rule, Error> {
     let rule = inner_rule(options);
     if !options.fill_up {
-        return rule;
+        return Ok(rule);
     }
-    let spans = draft.spans(&draft.grids()[0]).iter();
-    let crowded = spans.filter(|span| span.count > options.maxp);
-    let references: u64 = crowded.map(|span| u64::from(span.count)).sum();
+    let mut references = 0u64;
+    for spans in draft.spans(&draft.grids()[0]).chunks(TICK) {
+        let crowded = spans.iter().filter(|span| span.count > options.maxp);
+        references += crowded.map(|span| u64::from(span.count)).sum::<u64>();
+        control.tick(spans.len(), 0, 1)?;
+    }
     let finer = cbrt(draft.soup.triangles.len() as f64 / references.max(1) as f64) as f32;
     let room = if rule.alpha * finer < 1.0 { rule.alpha * finer } else { 1.0 };
-    Rule { alpha: if room > rule.alpha { room } else { rule.alpha }, ..rule }
+    Ok(Rule { alpha: if room > rule.alpha { room } else { rule.alpha }, ..rule })
 }
 
 /// Voxels looked at between two reports.

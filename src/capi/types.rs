@@ -148,9 +148,10 @@ pub const HUG_BUILD_COMPACT: u32 = 2;
 /// it too.
 pub const HUG_BUILD_KEEP_SCRATCH: u32 = 4;
 
-/// Build flag, for the recursive grid: where few references are in crowded voxels, these
-/// are cut more finely, until the grids below have alpha^3 voxels for each triangle of the
-/// scene together, or one for each of these references. AUTO does so.
+/// Build flag, for the recursive grid: where the outermost grid's crowded voxels hold fewer
+/// references than the scene has triangles, the grids below get a greater alpha, such that
+/// those directly below have alpha^3 voxels for each triangle of the scene together, but 1 at
+/// most. Without effect from an alpha of 1 on, the default. AUTO does so.
 pub const HUG_BUILD_FILL_UP: u32 = 8;
 
 /// hug_open flag: the bytes come from this library and are not checked.

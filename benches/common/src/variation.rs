@@ -45,11 +45,11 @@ const ORIENTATIONS: [(&str, Orientation); 4] = [
 
 const STEPS: [(&str, bool); 2] = [("exit", true), ("plain", false)];
 
-const CROWDED: [(&str, bool); 1] = [("fill", true)];
+const CROWDED: [(&str, bool); 2] = [("fill", true), ("unfilled", false)];
 
 const FORMS: &str = "projections, components, proportional, homogeneous, overlap, mixed, nested, \
-                     paper, aligned, vertices, hull, search, exit, plain, fill, or power, min, \
-                     share, alpha, world, turn, maxp = a number";
+                     paper, aligned, vertices, hull, search, exit, plain, fill, unfilled, or power, \
+                     min, share, alpha, world, turn, maxp = a number";
 
 fn of<T: Copy>(list: &[(&str, T)], name: &str) -> Option<T> {
     list.iter().find(|known| known.0 == name).map(|known| known.1)

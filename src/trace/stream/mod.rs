@@ -9,7 +9,8 @@
 //! same go together instead (`super::packet`).
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
-//! defines. What is counted is the paper's walk of each ray, so streams that count
+//! defines (in an arena that a build wrote: what a forged one says may depend on the ray's
+//! neighbours). What is counted is the paper's walk of each ray, so streams that count
 //! take one ray at a time.
 
 mod columns;

@@ -2,7 +2,8 @@
 //!
 //! Rays that come one after the other, to the same lights from neighbouring points, are often
 //! stopped by the same triangles; sieving eight of these costs a tenth of a walk. Where that
-//! stops few rays, it is left for a while, then tried again.
+//! stops few rays, it is left for a while, then tried again. Kept are the last ones that have
+//! stopped a ray on its walk, in whatever order.
 
 use crate::ray::NONE;
 
@@ -51,7 +52,8 @@ impl Recent {
             self.spared -= 1;
             return (self.numbers, 0);
         }
-        self.left -= 1;
+        // Before there are any, nothing is tried.
+        self.left -= u32::from(self.len > 0);
         (self.numbers, self.len)
     }
 
@@ -76,7 +78,8 @@ impl Recent {
     /// Keeps a triangle that has stopped a ray on its walk.
     #[inline(always)]
     pub fn keep(&mut self, number: u32) {
-        // Not before the next trial is near: that had to be paid for by rays that are spared.
+        // While rays are spared nothing is kept until the next trial is near, as it is they who
+        // would pay for it.
         if self.spared > TRIAL || self.numbers.contains(&number) {
             return;
         }
@@ -113,8 +116,8 @@ mod tests {
     #[test]
     fn rests_where_it_is_in_vain() {
         let mut recent = Recent::NONE;
-        assert_eq!(held(&mut recent, TRIAL, 1), 0, "there is nothing yet");
-        recent.keep(1);
+        assert_eq!(held(&mut recent, 10 * TRIAL, 1), 0, "there is nothing yet");
+        (0..KEPT as u32).for_each(|number| recent.keep(number));
         assert!(held(&mut recent, 100 * MOST, 2 * TRIAL / WORTH) < 3 * 100 * TRIAL);
         let rays = 1000 * TRIAL;
         assert!(held(&mut recent, rays, TRIAL / WORTH / 2) > rays - MOST - TRIAL);

@@ -23,6 +23,13 @@ pub(super) struct Moves {
     pub enter: u32,
 }
 
+/// What a ray for any hit is held against before its walk.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Hiding {
+    Occluders,
+    Recent,
+}
+
 /// Where a ray goes that leaves a grid.
 enum Way {
     /// On, in the grid above.
@@ -145,10 +152,16 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     /// wants.
     #[inline(always)]
     fn is_hidden(&mut self, slot: usize) -> bool {
-        let (recent, len) = self.recent.next();
-        let lists = [self.view.header().occluders(), &recent[..len]];
         let flight = &mut self.flights[slot];
-        for (list, triangles) in lists.into_iter().enumerate() {
+        for list in [Hiding::Occluders, Hiding::Recent] {
+            let (recent, len) = match list {
+                Hiding::Occluders => Default::default(),
+                Hiding::Recent => self.recent.next(),
+            };
+            let triangles = match list {
+                Hiding::Occluders => self.view.header().occluders(),
+                Hiding::Recent => &recent[..len],
+            };
             for few in triangles.chunks(L::WIDE) {
                 let mut left = self.sieves[slot].pass(self.lanes, few);
                 while left != 0 {
@@ -160,7 +173,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
                         && flight.query.meet(&Line::new(&flight.ray), triangle, number)
                             == Some(true)
                     {
-                        self.recent.stopped(list > 0);
+                        self.recent.stopped(list == Hiding::Recent);
                         return true;
                     }
                 }
