@@ -85,9 +85,13 @@ fn check_packet(view: &View<'_>, ray: &Ray, spread: f32) {
         })
         .collect();
     let mut hits = vec![Hit::miss(0.0); rays.len()];
+    let mut shadows = vec![false; rays.len()];
     view.intersect_n(&rays, &mut hits);
-    for (ray, hit) in rays.iter().zip(&hits) {
+    // More of them than are in flight: the last may be stopped by what has stopped the first.
+    view.occluded_n(&rays, &mut shadows);
+    for ((ray, hit), shadow) in rays.iter().zip(&hits).zip(&shadows) {
         assert_eq!(bits(hit), bits(&view.intersect_brute(ray)), "{ray:?} in a packet");
+        assert_eq!(*shadow, hit.is_hit(), "{ray:?} among many");
     }
 }
 
