@@ -66,8 +66,7 @@ fn rule_below(
         control.tick(spans.len(), 0, 1)?;
     }
     let finer = cbrt(draft.soup.triangles.len() as f64 / references.max(1) as f64) as f32;
-    let room = if rule.alpha * finer < 1.0 { rule.alpha * finer } else { 1.0 };
-    Ok(Rule { alpha: if room > rule.alpha { room } else { rule.alpha }, ..rule })
+    Ok(Rule { alpha: (rule.alpha * finer).min(1.0).max(rule.alpha), ..rule })
 }
 
 /// Voxels looked at between two reports.

@@ -69,10 +69,10 @@ impl Recent {
         (self.left, self.stopped) = (TRIAL, 0);
     }
 
-    /// Whether one of them has stopped that ray.
+    /// One of them has stopped that ray.
     #[inline(always)]
-    pub fn stopped(&mut self, stopped: bool) {
-        self.stopped += u32::from(stopped);
+    pub fn stopped(&mut self) {
+        self.stopped += 1;
     }
 
     /// Keeps a triangle that has stopped a ray on its walk.
@@ -97,7 +97,9 @@ mod tests {
     fn held(recent: &mut Recent, rays: u32, each: u32) -> u32 {
         (0..rays).fold(0, |held, ray| {
             let tried = recent.next().1 > 0;
-            recent.stopped(tried && ray % each == 0);
+            if tried && ray % each == 0 {
+                recent.stopped();
+            }
             held + u32::from(tried)
         })
     }

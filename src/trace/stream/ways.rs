@@ -154,13 +154,13 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
     fn is_hidden(&mut self, slot: usize) -> bool {
         let flight = &mut self.flights[slot];
         for list in [Hiding::Occluders, Hiding::Recent] {
-            let (recent, len) = match list {
-                Hiding::Occluders => Default::default(),
-                Hiding::Recent => self.recent.next(),
-            };
+            let (recent, len);
             let triangles = match list {
                 Hiding::Occluders => self.view.header().occluders(),
-                Hiding::Recent => &recent[..len],
+                Hiding::Recent => {
+                    (recent, len) = self.recent.next();
+                    &recent[..len]
+                }
             };
             for few in triangles.chunks(L::WIDE) {
                 let mut left = self.sieves[slot].pass(self.lanes, few);
@@ -173,7 +173,9 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
                         && flight.query.meet(&Line::new(&flight.ray), triangle, number)
                             == Some(true)
                     {
-                        self.recent.stopped(list == Hiding::Recent);
+                        if list == Hiding::Recent {
+                            self.recent.stopped();
+                        }
                         return true;
                     }
                 }
