@@ -26,6 +26,26 @@ extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+/// One of each axis, corner or edge. A closure might not be compiled for the instruction set.
+macro_rules! each {
+    ($k:ident => $e:expr) => {
+        [
+            {
+                let $k = 0;
+                $e
+            },
+            {
+                let $k = 1;
+                $e
+            },
+            {
+                let $k = 2;
+                $e
+            },
+        ]
+    };
+}
+
 mod aabb;
 mod advice;
 mod arena;

@@ -4,6 +4,7 @@
 //! what `view` relies on, and that every walk ends: grids only point to later
 //! grids of lower level, whose numbers of entries (`walks`) add up.
 
+use super::tree;
 use super::layout::{
     ALIGN, BYTE_ORDER, COVERS, EMPTY, EXIT_BITS, EXIT_MAX, Frame, GRID, GRID_BIT, Grid, Header,
     LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TURNED, Triangle, VERSION,
@@ -59,9 +60,8 @@ fn agree(ok: bool) -> Result<(), Error> {
 pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let h = header(bytes)?;
     let counts = (h.grids.count, h.voxels.count, h.refs.count, h.triangles.count);
-    let (expected, size) = sections(counts.0, counts.1, counts.2, counts.3, h.frames.count)
-        .map_err(|_| Error::Sections)?;
-    let placed = expected == [h.grids, h.voxels, h.refs, h.triangles, h.frames] && size == h.bytes;
+    let (expected, size) = sections(&h.counts()).map_err(|_| Error::Sections)?;
+    let placed = expected == h.sections() && size == h.bytes;
     require(placed && [0, counts.0].contains(&h.frames.count), Error::Sections)?;
     agree(is_unit(h.unit) && h.levels as usize <= MAX_LEVELS)?;
     agree((1..=3).contains(&h.structure))?;
@@ -75,6 +75,8 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let named = |&number: &u32| number == NONE || u64::from(number) < counts.3;
     require(h.occluders.iter().all(named), Error::Reference)?;
     agree(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
+    agree(h.reserved == [0; 6])?;
+    tree::check(section(bytes, h.nodes.offset, h.nodes.count)?, counts.3)?;
     if grids.is_empty() {
         return agree(voxels.is_empty() && refs.is_empty());
     }

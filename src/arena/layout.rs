@@ -1,8 +1,8 @@
-//! The bytes of an arena, format version 4.
+//! The bytes of an arena, format version 5.
 //!
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
-//! then the grids, the voxels, the references, the triangles and the frames, each section
-//! at a multiple of 64, in this order, without gaps other than the padding
+//! then the grids, the voxels, the references, the triangles, the frames and the nodes, each
+//! section at a multiple of 64, in this order, without gaps other than the padding
 //! (zeros). The same bytes serve in memory, in a file and in a mapping.
 
 use bytemuck::{Pod, Zeroable};
@@ -16,7 +16,7 @@ pub const ALIGN: usize = 64;
 /// The first eight bytes of an arena.
 pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
 /// The format's version; any other is refused.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 /// Reads differently where the byte order is not the writer's.
 pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
@@ -72,7 +72,7 @@ pub struct Section {
     pub count: u64,
 }
 
-/// The first 256 bytes.
+/// The first 320 bytes.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct Header {
@@ -107,6 +107,9 @@ pub struct Header {
     pub occluders: [u32; OCCLUDERS],
     /// Of all grids or, if none is turned, of none.
     pub frames: Section,
+    /// The tree of boxes over all triangles, or nothing.
+    pub nodes: Section,
+    pub reserved: [u64; 6],
 }
 
 /// A flag of a grid that covers every voxel that refers to it, so that a ray in such a
@@ -175,6 +178,33 @@ pub struct GridLanes<'a> {
     pub n: &'a [u16; 4],
 }
 
+/// Parts of a node.
+pub const PARTS: usize = 8;
+/// A part's word: the number of a node, or of the first triangle of a leaf, times 16, and in
+/// the lower bits the number of triangles or [`NODE`].
+pub const PART_SHIFT: u32 = 4;
+/// In place of a number of triangles: the part is a node.
+pub const NODE: u32 = 15;
+/// Most triangles of a leaf.
+pub const LEAF: u32 = 4;
+/// Most nodes on the way from the first to a leaf.
+pub const MAX_DEPTH: usize = 64;
+
+/// A node of the tree of boxes: up to eight parts, nodes or runs of triangles, by their boxes.
+/// The first node is the root. In the order of nodes, and of their parts, nodes from number 1
+/// on and triangles from number 0 on are named one after the other: so it is a tree, its nodes
+/// are level by level, and each triangle is in one leaf. A part that is not there is a leaf of
+/// no triangles with an inverted box. Four cache lines.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(64))]
+pub struct Node {
+    /// Lower and upper bounds of the parts along x, then y, then z, times the header's `unit`.
+    pub bounds: [[f32; PARTS]; 6],
+    /// See [`PART_SHIFT`].
+    pub parts: [u32; PARTS],
+    pub reserved: [u32; PARTS],
+}
+
 /// A triangle, coordinate by coordinate so that one load brings the three
 /// corners' x; ids and mask fill the fourth lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -200,6 +230,17 @@ impl Triangle {
 }
 
 impl Header {
+    /// How many records there are.
+    pub fn counts(&self) -> Counts {
+        let [grids, voxels, refs, triangles, frames, nodes] = self.sections().map(|s| s.count);
+        Counts { grids, voxels, refs, triangles, frames, nodes }
+    }
+
+    /// The sections, in their order.
+    pub fn sections(&self) -> [Section; SECTIONS] {
+        [self.grids, self.voxels, self.refs, self.triangles, self.frames, self.nodes]
+    }
+
     /// Numbers of the triangles to look at first.
     #[inline(always)]
     pub fn occluders(&self) -> &[u32] {
@@ -210,13 +251,14 @@ impl Header {
     /// `lower` and `upper`, each with a fourth lane that means nothing.
     #[inline(always)]
     pub fn corners(&self) -> [&[f32; 4]; 2] {
-        let words: &[f32; 64] = bytemuck::cast_ref(self);
+        let words: &[f32] = bytemuck::cast_slice(core::slice::from_ref(self));
         let first = core::mem::offset_of!(Self, lower) / 4;
         [first, first + 3].map(|i| words[i..i + 4].first_chunk().unwrap_or(&[0.0; 4]))
     }
 }
 
-const _: () = assert!(size_of::<Header>() == 256);
+const _: () = assert!(size_of::<Header>() == 320);
+const _: () = assert!(size_of::<Node>() == 256);
 const _: () = assert!(size_of::<Grid>() == 64);
 const _: () = assert!(size_of::<Frame>() == 128);
 const _: () = assert!(size_of::<Triangle>() == 48);
@@ -247,17 +289,26 @@ impl Grid {
     }
 }
 
+/// How many records an arena has.
+#[derive(Clone, Copy)]
+pub struct Counts {
+    pub grids: u64,
+    pub voxels: u64,
+    /// Words of the references' section.
+    pub refs: u64,
+    pub triangles: u64,
+    pub frames: u64,
+    pub nodes: u64,
+}
+
+/// Sections of an arena.
+pub const SECTIONS: usize = 6;
+
 /// The sections of an arena with these many records, and its size.
 ///
 /// # Errors
 /// [`Error::Overflow`] if the size does not fit the address space.
-pub fn sections(
-    grids: u64,
-    voxels: u64,
-    refs: u64,
-    triangles: u64,
-    frames: u64,
-) -> Result<([Section; 5], u64), Error> {
+pub fn sections(counts: &Counts) -> Result<([Section; SECTIONS], u64), Error> {
     let mut at = size_of::<Header>() as u64;
     let mut place = |count: u64, size: usize| -> Result<Section, Error> {
         let section = Section { offset: at, count };
@@ -269,11 +320,12 @@ pub fn sections(
         Ok(section)
     };
     let sections = [
-        place(grids, size_of::<Grid>())?,
-        place(voxels, size_of::<u32>())?,
-        place(refs, size_of::<u32>())?,
-        place(triangles, size_of::<Triangle>())?,
-        place(frames, size_of::<Frame>())?,
+        place(counts.grids, size_of::<Grid>())?,
+        place(counts.voxels, size_of::<u32>())?,
+        place(counts.refs, size_of::<u32>())?,
+        place(counts.triangles, size_of::<Triangle>())?,
+        place(counts.frames, size_of::<Frame>())?,
+        place(counts.nodes, size_of::<Node>())?,
     ];
     isize::try_from(at).map_err(|_| Error::Overflow)?;
     Ok((sections, at))

@@ -1,12 +1,13 @@
 //! The arena: one flat block that holds a built scene.
 //!
 //! `layout` says what its bytes mean, `check` decides whether untrusted bytes
-//! are an arena, `view` reads one, `block` owns the memory of one.
+//! are an arena (`tree`: whether nodes are a tree), `view` reads one, `block` owns the memory of one.
 
 #[cfg(feature = "alloc")]
 pub(crate) mod block;
 mod check;
 pub(crate) mod layout;
+mod tree;
 mod view;
 
 #[cfg(feature = "capi")]

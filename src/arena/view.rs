@@ -6,14 +6,15 @@
 //! Consistent means (see `check`): every voxel number of a grid lies in the
 //! voxels' section; every voxel's list lies in the references' section; every
 //! reference names an existing triangle or a later grid; exit boxes lie in their
-//! grids; if a grid is turned there is a frame for each. The accessors below rely on
+//! grids; if a grid is turned there is a frame for each; parts of nodes name nodes and
+//! triangles that exist. The accessors below rely on
 //! it instead of testing bounds.
 
 use core::marker::PhantomData;
 
 use super::check;
 use super::layout::{
-    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
+    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, Node, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
 use crate::Error;
 use crate::simd::{Lanes, fpenv};
@@ -123,6 +124,7 @@ impl<'a> View<'a> {
             refs: self.start(&h.refs),
             triangles: self.start(&h.triangles),
             frames: self.start(&h.frames),
+            nodes: self.start(&h.nodes),
             marker: PhantomData,
         }
     }
@@ -136,6 +138,7 @@ pub(crate) struct Sections<'a> {
     refs: *const u32,
     triangles: *const Triangle,
     frames: *const Frame,
+    nodes: *const Node,
     marker: PhantomData<&'a [u8]>,
 }
 
@@ -152,6 +155,27 @@ impl<'a> Sections<'a> {
     pub fn frame(&self, i: u32) -> &'a Frame {
         // SAFETY: see the module.
         unsafe { &*self.frames.add(i as usize) }
+    }
+
+    /// Node number `i`: 0 of a tree, or from a part of a node.
+    #[inline(always)]
+    pub fn node(&self, i: u32) -> &'a Node {
+        // SAFETY: see the module.
+        unsafe { &*self.nodes.add(i as usize) }
+    }
+
+    /// Fetches node number `i`: four lines.
+    #[inline(always)]
+    pub fn fetch_node<L: Lanes>(&self, l: L, i: u32) {
+        let at = self.nodes.wrapping_add(i as usize).cast::<[u8; 64]>();
+        (0..4).for_each(|line| l.prefetch(at.wrapping_add(line)));
+    }
+
+    /// Fetches a leaf that begins with triangle number `i`: three lines.
+    #[inline(always)]
+    pub fn fetch_leaf<L: Lanes>(&self, l: L, i: u32) {
+        let at = self.triangles.wrapping_add(i as usize).cast::<[u8; 64]>();
+        (0..3).for_each(|line| l.prefetch(at.wrapping_add(line)));
     }
 
     /// Voxel number `i` of some grid.

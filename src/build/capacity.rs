@@ -2,17 +2,19 @@
 //!
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
 //! about `64 n + 136 G + 12 L + 20 V + 8 R` bytes, for a hierarchy `41 n` more, and the arena
-//! `48 n + 64 G + 12 V + 8 R`; where grids may be turned, `144 G` and `128 G` more.
+//! `48 n + 64 G + 12 V + 8 R`; where grids may be turned, `144 G` and `128 G` more; with a tree
+//! of boxes `123 n` and `88 n` more.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
 use super::cluster::Part;
 use super::draft::Span;
 use super::frame::Grid;
+use super::tree;
 use super::turn::Turn;
 use crate::Error;
 use crate::aabb::Aabb;
-use crate::arena::layout::{REF_WORDS, Triangle, sections};
+use crate::arena::layout::{Counts, REF_WORDS, Triangle, sections};
 use crate::options::{Options, Orientation, Structure};
 
 /// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.
@@ -41,6 +43,8 @@ pub struct Capacity {
     pub links: usize,
     /// Entries of the table that exit boxes are grown with.
     pub table: usize,
+    /// Triangles that a tree of boxes is built over: all or none.
+    pub tree: usize,
 }
 
 /// Voxels that a grid over `objects` objects can have with `alpha`: rounding
@@ -72,8 +76,10 @@ impl Capacity {
         let whole = |x: f64| (x.min(f64::from(u32::MAX - 1))) as usize + 1;
         let none = triangles == 0;
         let turned = hug && options.orientation != Orientation::Aligned;
+        let tree = options.tree && !hug && triangles < tree::MOST;
         Self {
             triangles,
+            tree: if tree { triangles } else { 0 },
             filtered: if hug { triangles } else { 0 },
             grids: if none { 0 } else { whole(grids) },
             turns: if none || !turned { 0 } else { whole(grids) },
@@ -96,9 +102,14 @@ impl Capacity {
         // words each, and a voxel of its own.
         let heads = self.refs.min(self.voxels).saturating_mul(2);
         let words = self.refs.saturating_mul(REF_WORDS).saturating_add(heads);
-        let counts = [self.grids, self.voxels, words, self.triangles].map(|c| c as u64);
-        let frames = self.turns as u64;
-        let (_, arena) = sections(counts[0], counts[1], counts[2], counts[3], frames)?;
+        let (_, arena) = sections(&Counts {
+            grids: self.grids as u64,
+            voxels: self.voxels as u64,
+            refs: words as u64,
+            triangles: self.triangles as u64,
+            frames: self.turns as u64,
+            nodes: tree::capacity(self.tree) as u64,
+        })?;
         let records = [
             // And their order, and notes of the bucket sort.
             (self.triangles, size_of::<Triangle>() + 4 + 8),
@@ -116,7 +127,7 @@ impl Capacity {
         ];
         // Room to align each slice.
         let mut scratch = 64 * 20;
-        for (count, size) in records {
+        for (count, size) in records.into_iter().chain(tree::Memory::records(self.tree)) {
             scratch = count
                 .checked_mul(size)
                 .and_then(|bytes| bytes.checked_add(scratch))

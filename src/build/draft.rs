@@ -42,6 +42,8 @@ pub struct Draft<'s> {
     /// The places in the soup of the triangles that have numbers, by number.
     pub(super) order: &'s mut [u32],
     pub(super) numbered: usize,
+    /// Whether triangles are numbered as they come.
+    ordered: bool,
     /// Room for what the bucket sort notes of each triangle.
     notes: [&'s mut [u32]; 2],
     pub(super) grid_memory: &'s mut [Grid],
@@ -77,6 +79,7 @@ impl<'s> Draft<'s> {
             soup,
             order: note()?,
             numbered: 0,
+            ordered: false,
             notes: [note()?, note()?],
             grid_memory: scratch.take(capacity.grids)?,
             turns: scratch.take(capacity.turns)?,
@@ -88,6 +91,16 @@ impl<'s> Draft<'s> {
             refs: 0,
             max_refs,
         })
+    }
+
+    /// Has the next grid number its triangles in the order in which it is given them.
+    pub fn keep_order(&mut self) {
+        self.ordered = true;
+    }
+
+    /// Whether it does.
+    pub fn is_ordered(&self) -> bool {
+        self.ordered
     }
 
     /// How many triangles have numbers.
@@ -193,7 +206,7 @@ impl<'s> Draft<'s> {
     }
 
     /// Sorts `objects` (triangles without numbers, by their places in the soup, then
-    /// grids, both ascending) into the voxels of a grid, and numbers the triangles.
+    /// grids, both ascending, or triangles alone in an order to keep) into the voxels of a grid, and numbers the triangles.
     /// Cost: one overlap test for each reference, plus the voxels.
     ///
     /// # Errors
@@ -229,7 +242,11 @@ impl<'s> Draft<'s> {
         self.grid_memory[number] = grid;
         let Notes { spans, stream, starts } = notes;
         let spans = &mut spans[..grid.voxels() as usize];
-        bucket::order(Notes { spans, stream, starts }, lowest, order);
+        if self.ordered {
+            (0..).zip(&mut *order).for_each(|(i, to)| *to = i);
+        } else {
+            bucket::order(Notes { spans, stream, starts }, lowest, order);
+        }
         let refs = total(spans);
         let room = self.ref_memory[self.refs..].get_mut(..refs).ok_or(Error::Limit)?;
         let mut lists = Lists::open(spans, room, first_ref, stream);

@@ -10,8 +10,8 @@ use super::occluders;
 use super::parts::{self, words};
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, Frame, Grid, Header, MAGIC, MAX_WALKS, OCCLUDERS, PAYLOAD, Section,
-    Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, Counts, Frame, Grid, Header, MAGIC, MAX_WALKS, Node, OCCLUDERS, PAYLOAD,
+    SECTIONS, Section, Triangle, VERSION, sections,
 };
 use crate::options::{MAX_LEVELS, Structure};
 use crate::ray::NONE;
@@ -25,7 +25,8 @@ pub struct Plan<'s> {
     /// Whether voxels get exit boxes, and room for the sums that takes.
     pub(super) exits: bool,
     pub(super) table: &'s mut [u64],
-    pub(super) sections: [Section; 5],
+    pub(super) nodes: &'s [Node],
+    pub(super) sections: [Section; SECTIONS],
     pub(super) bytes: usize,
 }
 
@@ -35,6 +36,7 @@ impl<'s> Plan<'s> {
         structure: Structure,
         exits: bool,
         table: &'s mut [u64],
+        nodes: &'s [Node],
     ) -> Result<Self, Error> {
         let grids = draft.grids();
         let voxels: u64 = grids.iter().map(frame::Grid::voxels).sum();
@@ -48,10 +50,17 @@ impl<'s> Plan<'s> {
         if refs > u64::from(PAYLOAD) {
             return Err(Error::Limit);
         }
-        let (sections, bytes) =
-            sections(grids.len() as u64, voxels, refs, triangles as u64, frames as u64)?;
+        let counts = Counts {
+            grids: grids.len() as u64,
+            voxels,
+            refs,
+            triangles: triangles as u64,
+            frames: frames as u64,
+            nodes: nodes.len() as u64,
+        };
+        let (sections, bytes) = sections(&counts)?;
         let bytes = bytes as usize;
-        Ok(Self { draft, structure, levels, exits, table, sections, bytes })
+        Ok(Self { draft, structure, levels, exits, table, nodes, sections, bytes })
     }
 
     /// Size of the arena that [`Plan::write`] makes, a multiple of 64.
@@ -105,7 +114,9 @@ impl<'s> Plan<'s> {
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
         let frames: &mut [Frame] = bytemuck::cast_slice_mut(section(4, size_of::<Frame>()));
+        let nodes: &mut [Node] = bytemuck::cast_slice_mut(section(5, size_of::<Node>()));
         rest.fill(0);
+        nodes.copy_from_slice(self.nodes);
         control.pass(0.5)?;
         self.draft.copy_triangles(triangles, control)?;
         control.pass(0.95)?;
@@ -152,6 +163,8 @@ impl<'s> Plan<'s> {
             unit: unit(&soup.bounds),
             occluders: [NONE; OCCLUDERS],
             frames: self.sections[4],
+            nodes: self.sections[5],
+            reserved: [0; 6],
         }
     }
 }

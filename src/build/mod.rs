@@ -40,6 +40,7 @@ mod sort;
 mod split;
 mod stretch;
 mod survey;
+mod tree;
 mod turn;
 mod uniform;
 
@@ -52,12 +53,14 @@ pub use survey::{Clusters, Survey};
 
 use crate::Error;
 use crate::geometry::{Geometry, count};
-use crate::options::{Options, Structure};
+use crate::arena::layout::Node;
+use crate::options::{Options, Quality, Structure};
 use crate::simd::fpenv;
 use capacity::Capacity;
 use draft::Draft;
 use gather::Soup;
 use scratch::Scratch;
+use tree::Memory;
 
 /// Upper bounds on the memory a build of these geometries needs; their
 /// vertices are not looked at.
@@ -115,6 +118,14 @@ pub fn plan_with<'s>(
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
         let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
         let table = scratch.take::<u64>(capacity.table)?;
+        let tree = Memory::take(capacity.tree, &mut scratch)?;
+        let mut nodes: &[Node] = &[];
+        if capacity.tree > 0 && count > 0 {
+            control.pass(0.3)?;
+            let bins = if options.quality == Quality::High { 32 } else { 16 };
+            nodes = tree.build(&draft.soup, &mut objects[..count], bins, control)?;
+            draft.keep_order();
+        }
         if count > 0 {
             match options.structure {
                 Structure::Uniform => {
@@ -129,7 +140,7 @@ pub fn plan_with<'s>(
                 }
             }
         }
-        Plan::new(draft, options.structure, options.exit_boxes, table)
+        Plan::new(draft, options.structure, options.exit_boxes, table, nodes)
     })
 }
 

@@ -22,7 +22,8 @@ pub fn outer_crowded(options: &Options) -> Crowded {
     if options.counts == [0; 3] { Crowded::Coarsen } else { Crowded::Fail }
 }
 
-/// Puts all triangles into one grid. `objects` is room for their numbers.
+/// Puts all triangles into one grid. `objects` is room for their numbers, or has them in an
+/// order that is to be kept.
 pub fn uniform(
     draft: &mut Draft<'_>,
     options: &Options,
@@ -31,8 +32,8 @@ pub fn uniform(
 ) -> Result<(), Error> {
     let count = draft.soup.triangles.len();
     let objects = &mut objects[..count];
-    for (i, object) in (0..).zip(objects.iter_mut()) {
-        *object = i;
+    if !draft.is_ordered() {
+        (0..).zip(objects.iter_mut()).for_each(|(i, object)| *object = i);
     }
     let grid = Grid::around(&draft.soup.bounds, 0, &draft.soup.bounds);
     let rule = draft.weighed(&outer_rule(options), &grid, objects);

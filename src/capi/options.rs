@@ -3,6 +3,7 @@
 use super::desc::slice;
 use super::types::{
     HUG_BUILD_COMPACT, HUG_BUILD_FILL_UP, HUG_BUILD_KEEP_SCRATCH, HUG_BUILD_PLAIN_STEPS,
+    HUG_BUILD_TREE,
     HUG_CLUSTERING_COMPONENTS, HUG_DELTA_MEAN, HUG_GRIDDING_HOMOGENEOUS, HUG_GRIDDING_MIXED,
     HUG_GRIDDING_OVERLAP, HUG_HIERARCHY_PAPER, HUG_ORIENTATION_HULL, HUG_ORIENTATION_SEARCH,
     HUG_ORIENTATION_VERTICES, HUG_QUALITY_FAST, HUG_QUALITY_HIGH, hug_build_desc,
@@ -21,8 +22,11 @@ fn or<T: PartialEq + Default>(value: T, default: T) -> T {
 /// `filter_thresholds` is NULL or readable.
 pub unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
     let normal = Options::default();
-    let flags =
-        HUG_BUILD_PLAIN_STEPS | HUG_BUILD_COMPACT | HUG_BUILD_KEEP_SCRATCH | HUG_BUILD_FILL_UP;
+    let flags = HUG_BUILD_PLAIN_STEPS
+        | HUG_BUILD_COMPACT
+        | HUG_BUILD_KEEP_SCRATCH
+        | HUG_BUILD_FILL_UP
+        | HUG_BUILD_TREE;
     if d.flags & !flags != 0 || d.reserved != 0 {
         return Err(Error::InvalidValue);
     }
@@ -48,6 +52,7 @@ pub unsafe fn options(d: &hug_build_desc) -> Result<Options, Error> {
         maxp: or(d.maxp, normal.maxp),
         max_depth: or(d.max_depth, normal.max_depth),
         fill_up: d.flags & HUG_BUILD_FILL_UP != 0,
+        tree: d.flags & HUG_BUILD_TREE != 0,
         // SAFETY: by the caller.
         filter: unsafe { filter(d) }?,
         clustering: match d.clustering {

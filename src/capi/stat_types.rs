@@ -131,4 +131,6 @@ pub struct hug_scene_stats {
     pub total_share: hug_level_shares,
     /// Level by level, in percent.
     pub level_share: [hug_level_shares; HUG_MAX_LEVELS],
+    /// Bytes of the tree of boxes.
+    pub node_bytes: u64,
 }

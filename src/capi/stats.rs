@@ -11,8 +11,11 @@ use crate::arena::View;
 use crate::stats::{Level, Stats};
 use crate::{Error, Isa, force_isa};
 
-/// Size of the first version of [`hug_scene_stats`].
-const FIRST_STATS: usize = core::mem::offset_of!(hug_scene_stats, total_share);
+/// Sizes of earlier versions of [`hug_scene_stats`].
+const EARLIER_STATS: [usize; 2] = [
+    core::mem::offset_of!(hug_scene_stats, total_share),
+    core::mem::offset_of!(hug_scene_stats, node_bytes),
+];
 
 /// Fills *stats (struct_size set by the caller) with the statistics of
 /// section 3 of the paper. Cost: linear in the arena, with no allocation.
@@ -34,7 +37,7 @@ pub unsafe extern "C" fn hug_stats(
         // SAFETY: not NULL, valid by contract.
         let (view, size) = unsafe { (View::from_ptr(scene.cast()), stats.cast::<usize>().read()) };
         let known = size_of::<hug_scene_stats>();
-        if size < known && size != FIRST_STATS {
+        if size < known && !EARLIER_STATS.contains(&size) {
             return Err(Error::StructSize);
         }
         let s = Stats::of(&view);
@@ -64,6 +67,7 @@ pub unsafe extern "C" fn hug_stats(
             level,
             total_share: shares(&s, &s.total),
             level_share,
+            node_bytes: s.node_bytes,
         };
         // SAFETY: writable by contract, for the size that the caller stated.
         unsafe {

@@ -131,6 +131,21 @@ impl Lanes for Neon {
         };
         fn any_beyond(self, a: F64, b: f64) -> bool =
             any3(vcagtq_f64(a.0, vdupq_n_f64(b)), vcagtq_f64(a.1, vdupq_n_f64(b)));
+        fn mul_add_f64(self, a: F64, b: F64, c: F64) -> F64 = halves!(vfmaq_f64, c, a, b);
+        fn cross_f64(self, a: F64, b: F64, c: F64, d: F64) -> F64 = {
+            let first = halves!(vmulq_f64, a, b);
+            halves!(vfmsq_f64, first, c, d)
+        };
+        fn greater_f64(self, a: F64, b: F64) -> u32 = {
+            let low = vmovn_u64(vcgtq_f64(a.0, b.0));
+            bits(vcombine_u32(low, vmovn_u64(vcgtq_f64(a.1, b.1))), 15)
+        };
+        fn array_f64(self, a: F64) -> [f64; 4] = {
+            let mut array = [0.0; 4];
+            vst1q_f64(array.as_mut_ptr(), a.0);
+            vst1q_f64(array[2..].as_mut_ptr(), a.1);
+            array
+        };
         fn highest3(self, a: F64) -> f64 = vmaxvq_f64(vmaxq_f64(a.0, vdupq_laneq_f64::<0>(a.1)));
         fn lowest3(self, a: F64) -> f64 = vminvq_f64(vminq_f64(a.0, vdupq_laneq_f64::<0>(a.1)));
 
@@ -215,6 +230,10 @@ impl Lanes for Neon {
         fn at_most(self, a: Wide, b: Wide) -> u32 = bits(vcleq_f32(a, b), 15);
         fn load_wide(self, a: &[f32; 8]) -> Wide = vld1q_f32(a.as_ptr());
         fn store_wide(self, a: Wide, to: &mut [f32; 8]) -> () = vst1q_f32(to.as_mut_ptr(), a);
+        fn load_from(self, a: &[f32; 8], at: usize) -> Wide =
+            vld1q_f32(a.as_chunks::<4>().0[at / 4 % 2].as_ptr());
+        fn store_from(self, a: Wide, to: &mut [f32; 8], at: usize) -> () =
+            vst1q_f32(to.as_chunks_mut::<4>().0[at / 4 % 2].as_mut_ptr(), a);
         fn truncate_wide(self, a: Wide) -> Wide = vrndq_f32(a);
         fn choose_wide(self, a: Wide, b: Wide, x: Wide, y: Wide) -> Wide =
             vbslq_f32(vcleq_f32(a, b), x, y);
@@ -276,8 +295,13 @@ impl Lanes for Neon {
     }
     #[inline(always)]
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [Wide; 3] {
-        let (r0, r1) = (self.load_f32(row(0)), self.load_f32(row(1)));
-        let (r2, r3) = (self.load_f32(row(2)), self.load_f32(row(3)));
+        self.columns_f32([row(0), row(1), row(2), row(3)])
+    }
+    #[inline(always)]
+    fn columns_f32(self, rows: [&[f32; 4]; 4]) -> [F32; 3] {
+        let [r0, r1, r2, r3] = rows;
+        let (r0, r1) = (self.load_f32(r0), self.load_f32(r1));
+        let (r2, r3) = (self.load_f32(r2), self.load_f32(r3));
         with!({
             let (low02, low13) = (vzip1q_f32(r0, r2), vzip1q_f32(r1, r3));
             let (high02, high13) = (vzip2q_f32(r0, r2), vzip2q_f32(r1, r3));

@@ -1,5 +1,6 @@
 //! What depends on the processor: instruction sets behind one trait, the choice
-//! between them at run time, the floating-point environment, and the size of pages.
+//! between them at run time, the floating-point environment, the size of pages, and memory
+//! that is not cleared before it is used.
 //!
 //! The algorithms are written once, over [`Lanes`]; each instruction set is a
 //! thin shell. No result depends on which one runs: lanes only steer the walk,
@@ -15,6 +16,7 @@ mod lanes;
 mod pages;
 mod pair;
 mod portable;
+mod stack;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
@@ -26,3 +28,4 @@ pub(crate) use lanes::{Kernel, Lanes};
 pub(crate) use pages::ask_for_large;
 pub(crate) use pair::Pair;
 pub(crate) use portable::Portable;
+pub(crate) use stack::Stack;

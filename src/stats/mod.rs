@@ -23,7 +23,7 @@ pub use shape::{GridFrame, GridShape};
 pub use shares::Shares;
 
 use crate::arena::View;
-use crate::arena::layout::Grid;
+use crate::arena::layout::{Grid, Node};
 use crate::options::{MAX_LEVELS, Structure};
 use crate::simd::fpenv;
 
@@ -50,6 +50,8 @@ pub struct Stats {
     pub voxel_bytes: u64,
     /// Bytes of the references' section.
     pub ref_bytes: u64,
+    /// Bytes of the tree of boxes.
+    pub node_bytes: u64,
     /// All levels together; its `objects` counts a triangle once per level.
     pub total: Level,
     level: [Level; MAX_LEVELS],
@@ -94,6 +96,7 @@ impl Stats {
             grid_bytes: h.grids.count * size_of::<Grid>() as u64,
             voxel_bytes: h.voxels.count * 4,
             ref_bytes: h.refs.count * 4,
+            node_bytes: h.nodes.count * size_of::<Node>() as u64,
             total,
             level,
             levels,

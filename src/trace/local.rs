@@ -278,6 +278,6 @@ fn reach<L: Lanes>(l: L, exit: u32, shifts: &[u32; 4]) -> L::I32 {
 
 /// An `f32` greater than `x`, but for infinity.
 #[inline(always)]
-fn above(x: f64) -> f32 {
+pub(super) fn above(x: f64) -> f32 {
     (x.abs() * f64::from(f32::EPSILON) + (x + f64::from(f32::MIN_POSITIVE))) as f32
 }

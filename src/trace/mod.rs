@@ -1,30 +1,11 @@
-//! Queries: one walk for all structures and all kinds of query.
+//! Queries: one walk for all structures and all kinds of query, and a descent through the tree
+//! of boxes, where there is one, for rays on their own.
 //!
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
 //! `profile` what is counted, `budget` ends a walk early, `work` bounds what one can do.
-//! `all` and `filter` are walks with other ends, `alone` is about one triangle.
-
-/// One of each axis, corner or edge. A closure might not be compiled for the instruction set.
-macro_rules! each {
-    ($k:ident => $e:expr) => {
-        [
-            {
-                let $k = 0;
-                $e
-            },
-            {
-                let $k = 1;
-                $e
-            },
-            {
-                let $k = 2;
-                $e
-            },
-        ]
-    };
-}
+//! `descent` is the way through the tree. `all` and `filter` are walks with other ends, `alone` is about one triangle.
 
 mod all;
 mod alone;
@@ -33,6 +14,7 @@ mod budget;
 mod counters;
 mod course;
 mod decided;
+mod descent;
 mod filter;
 mod local;
 mod nearest;

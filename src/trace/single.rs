@@ -1,6 +1,7 @@
 //! One ray at a time.
 
 use super::counters::{Count, Counters, Uncounted, best};
+use super::descent::Descent;
 use super::profile::Profile;
 use super::query::{Any, Closest, Query, usable, visible};
 use super::walk::Walk;
@@ -27,6 +28,13 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
         if !usable(lanes, self.ray) {
             return Q::miss(self.ray);
+        }
+        if !C::COUNTS
+            && self.view.header().nodes.count > 0
+            && let Some(mut descent) = Descent::new(lanes, self.view, self.ray, self.query)
+        {
+            descent.run(self.view.header().occluders());
+            return descent.query.found(&self.view.sections(), self.ray);
         }
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
         walk.run(self.view.header().occluders());

@@ -92,6 +92,14 @@ macro_rules! eight_lanes {
             });
         }
         #[inline(always)]
+        fn load_from(self, a: &[f32; 8], _: usize) -> __m256 {
+            self.load_wide(a)
+        }
+        #[inline(always)]
+        fn store_from(self, a: __m256, to: &mut [f32; 8], _: usize) {
+            self.store_wide(a, to);
+        }
+        #[inline(always)]
         fn splat_wide(self, a: f32) -> __m256 {
             with!(_mm256_set1_ps(a))
         }

@@ -1,0 +1,42 @@
+//! Deciding whether untrusted nodes are a tree over all triangles.
+//!
+//! Nodes and triangles are named one after the other (`layout::Node`), so that one pass with
+//! two counters tells that each has one place, and where each level of the tree ends.
+
+use super::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT};
+use crate::Error;
+
+/// Checks the nodes of an arena of so many triangles. What their boxes say does not matter: any
+/// numbers lead to a part or past it.
+pub fn check(nodes: &[Node], triangles: u64) -> Result<(), Error> {
+    if nodes.is_empty() {
+        return Ok(());
+    }
+    let (mut next, mut first) = (1u64, 0u64);
+    let (mut depth, mut level_end) = (1, 1);
+    for (number, node) in (0..).zip(nodes) {
+        if number == level_end {
+            (depth, level_end) = (depth + 1, next);
+        }
+        // Nothing before it has named this node, or the way to it is too long.
+        if number >= next || depth > MAX_DEPTH || node.reserved != [0; 8] {
+            return Err(Error::Corrupt);
+        }
+        for part in node.parts {
+            let (place, count) = (u64::from(part >> PART_SHIFT), part & NODE);
+            let expected = match count {
+                NODE => &mut next,
+                0..=LEAF => &mut first,
+                _ => return Err(Error::Reference),
+            };
+            if count > 0 && place != *expected || count == 0 && place != 0 {
+                return Err(Error::Reference);
+            }
+            *expected += if count == NODE { 1 } else { u64::from(count) };
+        }
+    }
+    if next != nodes.len() as u64 || first != triangles {
+        return Err(Error::Reference);
+    }
+    Ok(())
+}

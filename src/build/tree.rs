@@ -1,0 +1,198 @@
+//! The tree of boxes: triangles split in two and again, by boxes of least surface, into nodes
+//! of eight parts and leaves of up to four triangles.
+//!
+//! Splits are those of least expected cost by surface area (MacDonald & Booth 1990) among
+//! the borders of a few bins (Wald 2007). A node is split at the part of the largest surface until it has
+//! eight parts. Level by level, a node is a task: its triangles lie together, and those of a
+//! level in the order of its nodes. Numbers are given between levels, so the tree does not
+//! depend on who did what. Where it becomes deep, triangles are halved instead, so that its
+//! depth, and with it the work, is bounded: `n` triangles take at most [`CHOSEN`] + log n
+//! passes over all of them.
+
+mod item;
+mod split;
+
+use super::control::{Control, TASKS, parts};
+use super::gather::Soup;
+use super::scratch::{Scratch, cut};
+use crate::Error;
+use crate::arena::layout::{LEAF, NODE, Node, PART_SHIFT, PARTS};
+use item::{Item, items};
+use split::{Part, split};
+
+/// Levels of nodes whose splits are chosen; below, triangles are halved.
+const CHOSEN: usize = 36;
+/// Triangles above which parts' places do not fit a node's words.
+pub const MOST: usize = 1 << (32 - PART_SHIFT);
+
+/// Most nodes over so many triangles. One without nodes below holds five triangles at least,
+/// but for the root; one with such has eight parts, so these are a seventh of all leaves.
+pub fn capacity(triangles: usize) -> usize {
+    if triangles == 0 || triangles >= MOST { 0 } else { triangles / 5 + triangles / 7 + 2 }
+}
+
+/// Working memory.
+pub struct Memory<'s> {
+    items: &'s mut [Item],
+    nodes: &'s mut [Node],
+    /// Of each node that is named, the first of its items, and their number.
+    ranges: &'s mut [[u32; 2]],
+}
+
+impl<'s> Memory<'s> {
+    /// For up to so many triangles; none for none.
+    pub fn take(triangles: usize, scratch: &mut Scratch<'s>) -> Result<Self, Error> {
+        let nodes = capacity(triangles);
+        Ok(Self {
+            items: scratch.take(triangles)?,
+            nodes: scratch.take(nodes)?,
+            ranges: scratch.take(nodes)?,
+        })
+    }
+
+    /// Bytes for up to so many triangles.
+    pub fn records(triangles: usize) -> [(usize, usize); 2] {
+        let nodes = capacity(triangles);
+        [(triangles, size_of::<Item>()), (nodes, size_of::<Node>() + size_of::<[u32; 2]>())]
+    }
+
+    /// Builds the tree over all triangles of a soup that is not empty, and orders them as its
+    /// leaves are.
+    pub fn build(
+        self,
+        soup: &Soup<'_>,
+        order: &mut [u32],
+        bins: usize,
+        control: &mut Control<'_>,
+    ) -> Result<&'s [Node], Error> {
+        let Self { items: memory, nodes, ranges } = self;
+        let memory = &mut memory[..soup.triangles.len()];
+        items(soup, memory, control)?;
+        let mut numbers = Numbers { next: 1, first: 0, ranges, order };
+        numbers.ranges[0] = [0, memory.len() as u32];
+        let (mut level, mut depth) = (0..1, 0);
+        while !level.is_empty() {
+            let some = &mut nodes[level.clone()];
+            let ranges = &numbers.ranges[level.clone()];
+            split_level(some, ranges, memory, (bins, depth < CHOSEN), control)?;
+            for node in some {
+                numbers.give(node, memory);
+            }
+            control.at(numbers.first, memory.len())?;
+            level = level.end..numbers.next;
+            depth += 1;
+        }
+        Ok(&nodes[..numbers.next])
+    }
+}
+
+/// Some nodes of a level and their items, the first of which is number `start`.
+struct Some<'a> {
+    nodes: &'a mut [Node],
+    ranges: &'a [[u32; 2]],
+    items: &'a mut [Item],
+    start: usize,
+}
+
+/// Splits the nodes of a level, in tasks.
+fn split_level(
+    mut nodes: &mut [Node],
+    mut ranges: &[[u32; 2]],
+    mut items: &mut [Item],
+    how: (usize, bool),
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
+    let all: usize = ranges.iter().map(|range| range[1] as usize).sum();
+    let share = all.div_ceil(TASKS);
+    let mut at = 0;
+    let mut tasks = parts(|| {
+        let (mut count, mut sum) = (0, 0);
+        for range in ranges {
+            if sum >= share {
+                break;
+            }
+            (count, sum) = (count + 1, sum + range[1] as usize);
+        }
+        let (some, rest) = ranges.split_at(count);
+        ranges = rest;
+        let [start, _] = *some.first()?;
+        let [last, len] = *some.last()?;
+        cut(&mut items, start as usize - at);
+        at = (last + len) as usize;
+        let items = cut(&mut items, at - start as usize);
+        Some(Some { nodes: cut(&mut nodes, count), ranges: some, items, start: start as usize })
+    });
+    control.each(&mut tasks, |some| {
+        for (node, [start, len]) in some.nodes.iter_mut().zip(some.ranges) {
+            let start = *start as usize - some.start;
+            let items = &mut some.items[start..start + *len as usize];
+            *node = split_node(items, (start + some.start) as u32, how);
+        }
+    })?;
+    control.count(3 * all);
+    Ok(())
+}
+
+/// A node over some items. Its parts have no places yet: where they begin among all items,
+/// the first of these being `start`, is in the words that are reserved.
+fn split_node(items: &mut [Item], start: u32, (bins, chosen): (usize, bool)) -> Node {
+    let mut parts = [Part::EMPTY; PARTS];
+    parts[0] = Part::of(items);
+    let mut count = 1;
+    while count < PARTS {
+        // A part's place among its neighbours stays, so that items of a level are in order.
+        let size = |part: &Part| if chosen { part.surface() } else { part.len as f32 };
+        let large = (0..count).filter(|&k| parts[k].len > LEAF as usize);
+        let Some(k) = large.reduce(|a, b| if size(&parts[b]) > size(&parts[a]) { b } else { a })
+        else {
+            break;
+        };
+        let first: usize = parts[..k].iter().map(|part| part.len).sum();
+        let some = &mut items[first..first + parts[k].len];
+        let [a, b] = split(some, if chosen { bins } else { 0 });
+        parts.copy_within(k + 1..count, k + 2);
+        (parts[k], parts[k + 1]) = (a, b);
+        count += 1;
+    }
+    let mut node = Node { bounds: [[0.0; PARTS]; 6], parts: [0; PARTS], reserved: [0; PARTS] };
+    let mut at = start;
+    for (i, part) in parts.iter().enumerate() {
+        for k in 0..3 {
+            (node.bounds[2 * k][i], node.bounds[2 * k + 1][i]) = (part.lo[k], part.hi[k]);
+        }
+        (node.parts[i], node.reserved[i]) = (part.len as u32, at);
+        at += part.len as u32;
+    }
+    node
+}
+
+/// The numbers of nodes and triangles to come.
+struct Numbers<'a> {
+    next: usize,
+    first: usize,
+    ranges: &'a mut [[u32; 2]],
+    order: &'a mut [u32],
+}
+
+impl Numbers<'_> {
+    /// Gives the parts of a node their places.
+    fn give(&mut self, node: &mut Node, items: &[Item]) {
+        for (part, start) in node.parts.iter_mut().zip(&mut node.reserved) {
+            let (len, start) = (*part, core::mem::take(start));
+            *part = if len > LEAF {
+                self.ranges[self.next] = [start, len];
+                self.next += 1;
+                (self.next as u32 - 1) << PART_SHIFT | NODE
+            } else if len > 0 {
+                let leaf = &items[start as usize..][..len as usize];
+                for (to, item) in self.order[self.first..].iter_mut().zip(leaf) {
+                    *to = item.number;
+                }
+                self.first += leaf.len();
+                (self.first as u32 - len) << PART_SHIFT | len
+            } else {
+                0
+            };
+        }
+    }
+}
