@@ -19,8 +19,8 @@ use crate::arena::layout::Triangle;
 use crate::exact::{self, Case};
 use crate::ray::Ray;
 
-pub use estimate::{Apex, Estimate, Four, normal};
-use estimate::{E, Sides};
+pub use estimate::Apex;
+use estimate::{E, Estimate, Sides};
 
 type Vector = [f64; 3];
 
@@ -97,12 +97,6 @@ impl Line {
         Self { org: double(ray.org), dir: double(ray.dir), tmin, flags: ray.flags }
     }
 
-    /// Origin and direction.
-    #[inline(always)]
-    pub fn ends(&self) -> [&[f64; 3]; 2] {
-        [&self.org, &self.dir]
-    }
-
     /// A triangle as seen from the origin.
     #[inline(always)]
     pub fn apex(&self, triangle: &impl Corners) -> Apex {
@@ -113,17 +107,7 @@ impl Line {
     /// line's origin.
     #[inline(always)]
     pub fn meet(&self, apex: &Apex, triangle: &impl Corners, tmax: f32) -> Option<Met> {
-        self.meet_near(&Estimate::new(apex, &self.dir), triangle, tmax)
-    }
-
-    /// [`Line::meet`], where the triangle is estimated already.
-    #[inline(always)]
-    pub fn meet_near(
-        &self,
-        near: &Estimate,
-        triangle: &impl Corners,
-        tmax: f32,
-    ) -> Option<Met> {
+        let near = Estimate::new(apex, &self.dir);
         match near.sides() {
             Sides::Outside => None,
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => None,
@@ -149,12 +133,7 @@ impl Line {
     /// Whether there is a hit with `tmin <= t <= tmax`.
     #[inline(always)]
     pub fn pierces(&self, apex: &Apex, triangle: &impl Corners, tmax: f32) -> bool {
-        self.pierces_near(&Estimate::new(apex, &self.dir), triangle, tmax)
-    }
-
-    /// [`Line::pierces`], likewise.
-    #[inline(always)]
-    pub fn pierces_near(&self, near: &Estimate, triangle: &impl Corners, tmax: f32) -> bool {
+        let near = Estimate::new(apex, &self.dir);
         match near.sides() {
             Sides::Outside => false,
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,

@@ -185,8 +185,8 @@ pub const PARTS: usize = 8;
 pub const PART_SHIFT: u32 = 4;
 /// In place of a number of triangles: the part is a node.
 pub const NODE: u32 = 15;
-/// Most triangles of a leaf.
-pub const LEAF: u32 = 4;
+/// Most triangles of a leaf, and fewest of a scene that has a tree.
+pub const LEAF: u32 = 8;
 /// Most nodes on the way from the first to a leaf.
 pub const MAX_DEPTH: usize = 64;
 

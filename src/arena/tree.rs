@@ -12,6 +12,9 @@ pub fn check(nodes: &[Node], triangles: u64) -> Result<(), Error> {
     if nodes.is_empty() {
         return Ok(());
     }
+    if triangles < u64::from(LEAF) {
+        return Err(Error::Corrupt);
+    }
     let (mut next, mut first) = (1u64, 0u64);
     let (mut depth, mut level_end) = (1, 1);
     for (number, node) in (0..).zip(nodes) {

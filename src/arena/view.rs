@@ -14,7 +14,7 @@ use core::marker::PhantomData;
 
 use super::check;
 use super::layout::{
-    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, Node, PAYLOAD, Section, TAG_SHIFT, Triangle,
+    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, Node, PARTS, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
 use crate::Error;
 use crate::simd::{Lanes, fpenv};
@@ -164,6 +164,13 @@ impl<'a> Sections<'a> {
         unsafe { &*self.nodes.add(i as usize) }
     }
 
+    /// A row of the bounds of node number `i`, likewise.
+    #[inline(always)]
+    pub fn bounds(&self, i: u32, row: Row) -> &'a [f32; PARTS] {
+        // SAFETY: see the module; a row lies in its node.
+        unsafe { &*self.nodes.add(i as usize).byte_add(row.0).cast() }
+    }
+
     /// Fetches node number `i`: four lines.
     #[inline(always)]
     pub fn fetch_node<L: Lanes>(&self, l: L, i: u32) {
@@ -171,11 +178,11 @@ impl<'a> Sections<'a> {
         (0..4).for_each(|line| l.prefetch(at.wrapping_add(line)));
     }
 
-    /// Fetches a leaf that begins with triangle number `i`: three lines.
+    /// Fetches most of a leaf that begins with triangle number `i`: four lines.
     #[inline(always)]
     pub fn fetch_leaf<L: Lanes>(&self, l: L, i: u32) {
         let at = self.triangles.wrapping_add(i as usize).cast::<[u8; 64]>();
-        (0..3).for_each(|line| l.prefetch(at.wrapping_add(line)));
+        (0..4).for_each(|line| l.prefetch(at.wrapping_add(line)));
     }
 
     /// Voxel number `i` of some grid.
@@ -268,6 +275,18 @@ impl<'a> Sections<'a> {
     pub fn triangle(&self, i: u32) -> &'a Triangle {
         // SAFETY: see the module.
         unsafe { &*self.triangles.add(i as usize) }
+    }
+}
+
+/// One of a node's six rows of bounds: how many bytes from its first.
+#[derive(Clone, Copy)]
+pub(crate) struct Row(usize);
+
+impl Row {
+    /// The lower or the upper bounds along an axis, 0 to 2.
+    #[inline(always)]
+    pub fn new(axis: usize, upper: bool) -> Self {
+        Self((2 * axis.min(2) + usize::from(upper)) * size_of::<[f32; PARTS]>())
     }
 }
 

@@ -53,7 +53,7 @@ pub use survey::{Clusters, Survey};
 
 use crate::Error;
 use crate::geometry::{Geometry, count};
-use crate::arena::layout::Node;
+use crate::arena::layout::{LEAF, Node};
 use crate::options::{Options, Quality, Structure};
 use crate::simd::fpenv;
 use capacity::Capacity;
@@ -120,7 +120,7 @@ pub fn plan_with<'s>(
         let table = scratch.take::<u64>(capacity.table)?;
         let tree = Memory::take(capacity.tree, &mut scratch)?;
         let mut nodes: &[Node] = &[];
-        if capacity.tree > 0 && count > 0 {
+        if capacity.tree > 0 && count >= LEAF as usize {
             control.pass(0.3)?;
             let bins = if options.quality == Quality::High { 32 } else { 16 };
             nodes = tree.build(&draft.soup, &mut objects[..count], bins, control)?;

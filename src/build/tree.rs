@@ -1,5 +1,5 @@
 //! The tree of boxes: triangles split in two and again, by boxes of least surface, into nodes
-//! of eight parts and leaves of up to four triangles.
+//! of eight parts and leaves of up to eight triangles.
 //!
 //! Splits are those of least expected cost by surface area (MacDonald & Booth 1990) among
 //! the borders of a few bins (Wald 2007). A node is split at the part of the largest surface until it has
@@ -25,10 +25,10 @@ const CHOSEN: usize = 36;
 /// Triangles above which parts' places do not fit a node's words.
 pub const MOST: usize = 1 << (32 - PART_SHIFT);
 
-/// Most nodes over so many triangles. One without nodes below holds five triangles at least,
+/// Most nodes over so many triangles. One without nodes below holds nine triangles at least,
 /// but for the root; one with such has eight parts, so these are a seventh of all leaves.
 pub fn capacity(triangles: usize) -> usize {
-    if triangles == 0 || triangles >= MOST { 0 } else { triangles / 5 + triangles / 7 + 2 }
+    if triangles == 0 || triangles >= MOST { 0 } else { triangles / 9 + triangles / 7 + 2 }
 }
 
 /// Working memory.

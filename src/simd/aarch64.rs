@@ -131,21 +131,6 @@ impl Lanes for Neon {
         };
         fn any_beyond(self, a: F64, b: f64) -> bool =
             any3(vcagtq_f64(a.0, vdupq_n_f64(b)), vcagtq_f64(a.1, vdupq_n_f64(b)));
-        fn mul_add_f64(self, a: F64, b: F64, c: F64) -> F64 = halves!(vfmaq_f64, c, a, b);
-        fn cross_f64(self, a: F64, b: F64, c: F64, d: F64) -> F64 = {
-            let first = halves!(vmulq_f64, a, b);
-            halves!(vfmsq_f64, first, c, d)
-        };
-        fn greater_f64(self, a: F64, b: F64) -> u32 = {
-            let low = vmovn_u64(vcgtq_f64(a.0, b.0));
-            bits(vcombine_u32(low, vmovn_u64(vcgtq_f64(a.1, b.1))), 15)
-        };
-        fn array_f64(self, a: F64) -> [f64; 4] = {
-            let mut array = [0.0; 4];
-            vst1q_f64(array.as_mut_ptr(), a.0);
-            vst1q_f64(array[2..].as_mut_ptr(), a.1);
-            array
-        };
         fn highest3(self, a: F64) -> f64 = vmaxvq_f64(vmaxq_f64(a.0, vdupq_laneq_f64::<0>(a.1)));
         fn lowest3(self, a: F64) -> f64 = vminvq_f64(vminq_f64(a.0, vdupq_laneq_f64::<0>(a.1)));
 
@@ -161,6 +146,7 @@ impl Lanes for Neon {
         fn mask_f32(self, a: F32, mask: I32) -> F32 =
             vreinterpretq_f32_s32(vandq_s32(vreinterpretq_s32_f32(a), mask));
         fn minus_f32(self, a: F32) -> F32 = vnegq_f32(a);
+        fn sign_f32(self, a: F32, b: F32) -> F32 = vbslq_f32(vdupq_n_u32(1 << 31), b, a);
         fn max_f32(self, a: F32, b: F32) -> F32 = vmaxq_f32(a, b);
         fn highest(self, a: F32) -> F32 = vdupq_n_f32(vmaxvq_f32(vcopyq_laneq_f32::<3, 2>(a, a)));
         fn abs_f32(self, a: F32) -> F32 = vabsq_f32(a);
@@ -295,13 +281,8 @@ impl Lanes for Neon {
     }
     #[inline(always)]
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [Wide; 3] {
-        self.columns_f32([row(0), row(1), row(2), row(3)])
-    }
-    #[inline(always)]
-    fn columns_f32(self, rows: [&[f32; 4]; 4]) -> [F32; 3] {
-        let [r0, r1, r2, r3] = rows;
-        let (r0, r1) = (self.load_f32(r0), self.load_f32(r1));
-        let (r2, r3) = (self.load_f32(r2), self.load_f32(r3));
+        let (r0, r1) = (self.load_f32(row(0)), self.load_f32(row(1)));
+        let (r2, r3) = (self.load_f32(row(2)), self.load_f32(row(3)));
         with!({
             let (low02, low13) = (vzip1q_f32(r0, r2), vzip1q_f32(r1, r3));
             let (high02, high13) = (vzip2q_f32(r0, r2), vzip2q_f32(r1, r3));

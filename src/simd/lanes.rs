@@ -46,13 +46,6 @@ pub(crate) trait Lanes: Copy + 'static {
     fn any_beyond(self, a: Self::F64, b: f64) -> bool;
     /// Whether one of the first three lanes is below 0 or above that of `n`.
     fn any_outside(self, a: Self::F64, n: Self::F64) -> bool;
-    /// `a * b + c`, rounded once or twice.
-    fn mul_add_f64(self, a: Self::F64, b: Self::F64, c: Self::F64) -> Self::F64;
-    /// `a * b - c * d`, rounded twice or three times.
-    fn cross_f64(self, a: Self::F64, b: Self::F64, c: Self::F64, d: Self::F64) -> Self::F64;
-    /// One bit for each of the four lanes in which `a > b`.
-    fn greater_f64(self, a: Self::F64, b: Self::F64) -> u32;
-    fn array_f64(self, a: Self::F64) -> [f64; 4];
     /// The greatest of the first three lanes.
     fn highest3(self, a: Self::F64) -> f64;
     /// The least of the first three lanes.
@@ -73,6 +66,8 @@ pub(crate) trait Lanes: Copy + 'static {
     /// `a` where `mask` is all ones, +0 where it is zero.
     fn mask_f32(self, a: Self::F32, mask: Self::I32) -> Self::F32;
     fn minus_f32(self, a: Self::F32) -> Self::F32;
+    /// `a` with the sign of `b`, for `a` not negative.
+    fn sign_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
     fn max_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;
     /// The greatest of the first three lanes, in every lane.
     fn highest(self, a: Self::F32) -> Self::F32;
@@ -81,8 +76,6 @@ pub(crate) trait Lanes: Copy + 'static {
     /// negative ones, any.
     fn lowest(self, a: Self::F32) -> Self::F32;
     fn first(self, a: Self::F32) -> f32;
-    /// The first, second and third numbers of four rows.
-    fn columns_f32(self, rows: [&[f32; 4]; 4]) -> [Self::F32; 3];
     /// Towards zero; out of range and NaN give some number.
     fn truncate(self, a: Self::F32) -> Self::I32;
     /// All ones where `a == b`, else zeros.

@@ -28,4 +28,4 @@ pub(crate) use lanes::{Kernel, Lanes};
 pub(crate) use pages::ask_for_large;
 pub(crate) use pair::Pair;
 pub(crate) use portable::Portable;
-pub(crate) use stack::Stack;
+pub(crate) use stack::{Room, Stack};

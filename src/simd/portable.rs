@@ -112,22 +112,6 @@ impl Lanes for Portable {
         (0..3).any(|k| a[k] < 0.0 || a[k] > n[k])
     }
     #[inline(always)]
-    fn mul_add_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
-        core::array::from_fn(|k| a[k] * b[k] + c[k])
-    }
-    #[inline(always)]
-    fn cross_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4], d: [f64; 4]) -> [f64; 4] {
-        core::array::from_fn(|k| a[k] * b[k] - c[k] * d[k])
-    }
-    #[inline(always)]
-    fn greater_f64(self, a: [f64; 4], b: [f64; 4]) -> u32 {
-        (0..4).map(|k| u32::from(a[k] > b[k]) << k).sum()
-    }
-    #[inline(always)]
-    fn array_f64(self, a: [f64; 4]) -> [f64; 4] {
-        a
-    }
-    #[inline(always)]
     fn highest3(self, [x, y, z, _]: [f64; 4]) -> f64 {
         let high = |x: f64, y: f64| if x > y { x } else { y };
         high(high(x, y), z)
@@ -187,6 +171,10 @@ impl Lanes for Portable {
         a.map(|x| -x)
     }
     #[inline(always)]
+    fn sign_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+        map(a, b, f32::copysign)
+    }
+    #[inline(always)]
     fn max_f32(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
         map(a, b, |a, b| if a > b { a } else { b })
     }
@@ -206,10 +194,6 @@ impl Lanes for Portable {
     #[inline(always)]
     fn first(self, a: [f32; 4]) -> f32 {
         a[0]
-    }
-    #[inline(always)]
-    fn columns_f32(self, rows: [&[f32; 4]; 4]) -> [[f32; 4]; 3] {
-        core::array::from_fn(|k| rows.map(|row| row[k]))
     }
     #[inline(always)]
     fn truncate(self, a: [f32; 4]) -> [i32; 4] {

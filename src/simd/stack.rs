@@ -6,16 +6,27 @@
 
 use core::mem::MaybeUninit;
 
-/// Up to `N` words.
-pub struct Stack<const N: usize> {
-    words: [MaybeUninit<u64>; N],
+/// Room for `N` words.
+pub struct Room<const N: usize>([MaybeUninit<u64>; N]);
+
+impl<const N: usize> Room<N> {
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self([const { MaybeUninit::uninit() }; N])
+    }
+}
+
+/// Up to `N` words. Their number is apart from them, so that it can be in a register.
+pub struct Stack<'r, const N: usize> {
+    words: &'r mut [MaybeUninit<u64>; N],
     len: usize,
 }
 
-impl<const N: usize> Stack<N> {
+impl<'r, const N: usize> Stack<'r, N> {
+    /// None yet.
     #[inline(always)]
-    pub fn new() -> Self {
-        Self { words: [const { MaybeUninit::uninit() }; N], len: 0 }
+    pub fn new(room: &'r mut Room<N>) -> Self {
+        Self { words: &mut room.0, len: 0 }
     }
 
     #[inline(always)]

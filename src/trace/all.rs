@@ -15,7 +15,7 @@ use crate::arena::layout::Triangle;
 use crate::arena::{Sections, View};
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
-use crate::triangle::{Apex, Estimate, Line};
+use crate::triangle::{Apex, Line};
 
 /// What [`View::intersect_all`] found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -100,17 +100,6 @@ impl Query for Collect<'_> {
 
     #[inline(always)]
     fn meet_from(&mut self, line: &Line, _: &Apex, triangle: &Triangle, _: u32) -> Option<bool> {
-        self.take(line, triangle).then_some(false)
-    }
-
-    #[inline(always)]
-    fn meet_near(
-        &mut self,
-        line: &Line,
-        _: &Estimate,
-        triangle: &Triangle,
-        _: u32,
-    ) -> Option<bool> {
         self.take(line, triangle).then_some(false)
     }
 

@@ -21,7 +21,7 @@ const fn three(x: f64) -> [f64; 4] {
 /// The least component, 2^-300, in lanes; the idle one stays where it is.
 const LEAST: [f64; 4] = three(f64::from_bits((1023 - 300) << 52));
 /// The least in `f32`, 2^-95, likewise.
-pub(super) const LEAST_SPEED: [f64; 4] = three(f64::from_bits((1023 - 95) << 52));
+const LEAST_SPEED: [f64; 4] = three(f64::from_bits((1023 - 95) << 52));
 /// The bits of an `f64`'s exponent.
 const EXPONENT: u64 = 0x7ff << 52;
 

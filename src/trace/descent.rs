@@ -1,31 +1,38 @@
 //! A ray's way through the tree of boxes: parts of nodes that it meets, nearest first, down to
-//! leaves of up to four triangles.
+//! leaves of up to eight triangles, which are sieved at once.
 //!
 //! Boxes only say where not to look; `triangle` decides what is hit, as in a walk. Nodes are in
 //! coordinates times `unit`, from the lowest corner of the scene on, so that these are at most
-//! about 1, and the ray's parameter is tau as in a walk (`course`).
+//! about 1, and the ray's parameter is tau as in a walk (`course`): t times a power of two, with which the direction's longest component is in
+//! [1, 2).
 //!
 //! No part of a hit is missed. With e = 2^-24 and o the origin's coordinate along an axis, the
 //! parameter of a plane p <= 2 is computed as p pace - o pace, with errors of at most e of
 //! pace's own, of o's rounding, of the product o pace, of the sum, each times (|o| + 2) |pace|,
 //! and of the addend's: 6 e (|o| + 2) |pace| in all. 16 e are subtracted where the ray enters
 //! and added where it leaves. A component of the direction below 2^-95 is taken for that, which
-//! moves the ray by less than 2^-85 where the origin is no farther than [`FAR`], as it is here:
-//! rays from farther away walk.
+//! moves the ray by less than 2^-83 where the origin is no farther than [`FAR`], as it is here:
+//! rays from farther away walk, and so do those of extremely long or short directions.
 
-use super::course::{Course, LEAST_SPEED};
 use super::local::above;
 use super::query::{Query, beyond, visible};
-use crate::arena::layout::{MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS};
-use crate::arena::{Sections, View};
+use super::sieve::Sieve;
+use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS};
+use crate::arena::{Row, Sections, View};
 use crate::ray::Ray;
-use crate::simd::{Lanes, Stack};
-use crate::triangle::{Four, Line};
+use crate::simd::{Kernel, Lanes, Room, Stack};
+use crate::triangle::Line;
 
 /// Farthest origin along an axis, in units of about the scene's longest side.
 const FAR: f64 = 1024.0;
 /// 16 e.
 const MARGIN: f32 = 1.0 / (1 << 20) as f32;
+/// The bits of an `f32`'s exponent.
+const EXPONENT: u32 = 0xff << 23;
+/// Those of the longest component of a direction: with 2^-100 to 2^100 nothing overflows.
+const POWERS: core::ops::Range<u32> = (127 - 100) << 23..(127 + 100) << 23;
+/// 2^-95.
+const LEAST_SPEED: f32 = f32::from_bits((127 - 95) << 23);
 /// Parts that wait: seven of each node on the way, and one.
 const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;
 
@@ -34,111 +41,129 @@ pub(super) struct Descent<'a, Q, L: Lanes> {
     lanes: L,
     sections: Sections<'a>,
     ray: &'a Ray,
-    line: Line,
-    slabs: Slabs<L>,
+    sieve: Sieve<'a>,
+    /// Eight triangles from here on are the last of the scene.
+    last: u32,
     per_t: f64,
-    /// What t are of interest, at most, and the end of that in tau.
-    reach: [f64; 2],
+    /// No tau above it is of interest.
     to: f32,
     pub query: Q,
 }
 
+/// [`Descent::decide`], compiled for the descent's instruction set.
+struct Decide<'d, 'a, Q, L: Lanes> {
+    descent: &'d mut Descent<'a, Q, L>,
+    number: u32,
+}
+
+impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, '_, Q, L> {
+    type Out = bool;
+    #[inline(always)]
+    fn run(self, _: L) -> bool {
+        self.descent.decide(self.number)
+    }
+}
+
 /// A ray as boxes want it, a number for each axis in all lanes.
 #[derive(Clone, Copy)]
-struct Slabs<L: Lanes> {
+pub(super) struct Slabs<L: Lanes> {
     pace: [L::Wide; 3],
     /// Where the ray is at plane 0, as it enters and as it leaves.
     enter: [L::Wide; 3],
     leave: [L::Wide; 3],
     from: L::Wide,
     /// Which bounds of a node it comes to first, and last.
-    near: [usize; 3],
-    far: [usize; 3],
+    near: [Row; 3],
+    far: [Row; 3],
 }
 
 impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
-    /// That of a ray that is known to be usable, in a scene with a tree; `None` for one from far
-    /// away.
+    /// That of a ray that is known to be usable, in a scene with a tree; `None` for one that is
+    /// to walk.
     #[inline(always)]
-    pub fn new(l: L, view: &View<'a>, ray: &'a Ray, query: Q) -> Option<Self> {
+    pub fn new(
+        l: L,
+        view: &View<'a>,
+        ray: &'a Ray,
+        query: Q,
+    ) -> Option<(Self, Slabs<L>)> {
         let [org, dir, _] = ray.rows();
         let (org, dir) = (l.load3(org), l.load3(dir));
         let header = view.header();
-        let course = Course::new(l, org, dir, header.unit);
-        let lowest = l.load3(header.corners()[0]);
-        let place = l.sub_f64(l.widen(org), l.widen(lowest));
-        let place = l.mul_f64(place, l.splat_f64(header.unit));
-        if l.any_beyond(place, FAR) {
+        let power = l.first(l.highest(l.abs_f32(dir))).to_bits() & EXPONENT;
+        let [lowest, highest] = header.corners();
+        let (lowest, highest) = (l.load3(lowest), l.load3(highest));
+        let unit = l.splat_f64(header.unit);
+        let place = l.mul_f64(l.sub_f64(l.widen(org), l.widen(lowest)), unit);
+        if !POWERS.contains(&power) | l.any_beyond(place, FAR) {
             return None;
         }
-        let speed = l.max_f64(l.abs_f64(course.dir), l.load_f64(&LEAST_SPEED));
-        let speed = l.narrow(l.sign_f64(speed, course.dir));
-        let pace = l.div_f32(l.splat_f32(1.0), speed);
+        let inverse = f32::from_bits((254 << 23) - power);
+        let per_t = header.unit * f64::from(f32::from_bits(power));
+        let speed = l.abs_f32(l.mul_f32(dir, l.splat_f32(inverse)));
+        let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
         let place = l.narrow(place);
         let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
-        let room = l.mul_f32(l.mul_f32(room, l.abs_f32(pace)), l.splat_f32(MARGIN));
+        let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
+        let pace = l.sign_f32(pace, dir);
         let at = l.minus_f32(l.mul_f32(place, pace));
         let enter = l.array_f32(l.sub_f32(at, room));
         let leave = l.array_f32(l.add_f32(at, room));
         let pace = l.array_f32(pace);
-        let down = l.array(course.down);
-        let first = each!(k => 2 * k + usize::from(down[k] != 0));
-        let reach = [-beyond(-ray.tmin), beyond(ray.tmax)];
-        let from = -above(-reach[0] * course.per_t);
+        let signs = l.signs(dir);
+        let from = -above(beyond(-ray.tmin) * per_t);
         let slabs = Slabs {
             pace: each!(k => l.splat_wide(pace[k])),
             enter: each!(k => l.splat_wide(enter[k])),
             leave: each!(k => l.splat_wide(leave[k])),
             from: l.splat_wide(from),
-            near: first,
-            far: each!(k => first[k] ^ 1),
+            near: each!(k => Row::new(k, signs >> k & 1 != 0)),
+            far: each!(k => Row::new(k, signs >> k & 1 == 0)),
         };
-        Some(Self {
+        let sections = view.sections();
+        let descent = Self {
             lanes: l,
-            sections: view.sections(),
+            sections,
             ray,
-            line: Line::new(ray),
-            slabs,
-            per_t: course.per_t,
-            reach,
-            to: above(reach[1] * course.per_t),
+            sieve: Sieve::new(l, &sections, ray, [org, dir], [lowest, highest]),
+            last: header.triangles.count as u32 - LEAF,
+            per_t,
+            to: above(beyond(ray.tmax) * per_t),
             query,
-        })
+        };
+        Some((descent, slabs))
     }
 
     /// Goes down from the root; for any hit, `occluders` are met first.
     #[inline(always)]
-    pub fn run(&mut self, occluders: &[u32]) {
+    pub fn run(&mut self, slabs: &Slabs<L>, occluders: &[u32]) {
         if Q::ANY {
-            for few in occluders.chunks(4) {
-                let last = few.len() - 1;
-                let numbers = [few[0], few[last.min(1)], few[last.min(2)], few[last.min(3)]];
-                if self.meet(numbers, few.len() as u32) {
-                    return;
+            for few in occluders.chunks(L::WIDE) {
+                let mut left = self.sieve.pass(self.lanes, few);
+                while left != 0 {
+                    if self.decide_apart(few[left.trailing_zeros() as usize]) {
+                        return;
+                    }
+                    left &= left - 1;
                 }
             }
         }
-        let mut waiting = Stack::<WAITING>::new();
+        let mut room = Room::<WAITING>::new();
+        let mut waiting = Stack::new(&mut room);
         let mut part = NODE;
         loop {
             while part & NODE == NODE {
-                let node = self.sections.node(part >> PART_SHIFT);
-                let (met, entries) = self.slabs.meet(self.lanes, node, self.to);
-                match self.choose(node, met, &entries, &mut waiting) {
-                    Some(next) => part = next,
-                    None => return,
-                }
+                let number = part >> PART_SHIFT;
+                let (met, entries) = slabs.meet(self.lanes, &self.sections, number, self.to);
+                let node = self.sections.node(number);
+                let Some(next) = self.choose(node, met, entries, &mut waiting) else { return };
+                part = next;
             }
-            let (first, count) = (part >> PART_SHIFT, part & NODE);
-            let last = count.saturating_sub(1);
-            let numbers = [first, first + last.min(1), first + last.min(2), first + last.min(3)];
-            if count > 0 && self.meet(numbers, count) {
+            if self.leaf(part >> PART_SHIFT, part & NODE) {
                 return;
             }
-            match self.next(&mut waiting) {
-                Some(next) => part = next,
-                None => return,
-            }
+            let Some(next) = self.next(&mut waiting) else { return };
+            part = next;
         }
     }
 
@@ -149,8 +174,8 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         &self,
         node: &Node,
         mut met: u32,
-        entries: &[f32; PARTS],
-        waiting: &mut Stack<WAITING>,
+        entries: [L::Wide; 2],
+        waiting: &mut Stack<'_, WAITING>,
     ) -> Option<u32> {
         if met == 0 {
             return self.next(waiting);
@@ -160,6 +185,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         if met == 0 {
             return Some(node.parts[first]);
         }
+        let entries = &self.array(entries);
         let mut nearest = self.entry(node, entries, first);
         let second = met.trailing_zeros() as usize;
         met &= met - 1;
@@ -177,6 +203,16 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         Some(nearest as u32)
     }
 
+    #[inline(always)]
+    fn array(&self, entries: [L::Wide; 2]) -> [f32; PARTS] {
+        let mut array = [0.0; PARTS];
+        self.lanes.store_from(entries[0], &mut array, 0);
+        if L::WIDE < PARTS {
+            self.lanes.store_from(entries[1], &mut array, L::WIDE);
+        }
+        array
+    }
+
     /// A part that is to wait: where the ray enters it, for the order, and its word.
     #[inline(always)]
     fn entry(&self, node: &Node, entries: &[f32; PARTS], i: usize) -> u64 {
@@ -192,7 +228,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
 
     /// The next part that waits and is not behind what was found.
     #[inline(always)]
-    fn next(&self, waiting: &mut Stack<WAITING>) -> Option<u32> {
+    fn next(&self, waiting: &mut Stack<'_, WAITING>) -> Option<u32> {
         loop {
             let entry = waiting.pop()?;
             if f32::from_bits((entry >> 32) as u32) <= self.to {
@@ -201,63 +237,72 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         }
     }
 
-    /// Meets up to four triangles, the last of which fills the numbers up; `true` if the query
-    /// wants no more.
+    /// Meets the triangles of a leaf; `true` if the query wants no more.
     #[inline(always)]
-    fn meet(&mut self, numbers: [u32; 4], count: u32) -> bool {
-        let l = self.lanes;
-        let axes = each!(k => self.sections.axis(k));
-        let rows = each!(k => [
-            axes[k].row(3 * numbers[0]),
-            axes[k].row(3 * numbers[1]),
-            axes[k].row(3 * numbers[2]),
-            axes[k].row(3 * numbers[3]),
-        ]);
-        let (four, near) = Four::new(l, self.line.ends(), rows, self.reach);
-        let mut left = near & (15 >> (4 - count));
-        if left == 0 {
-            return false;
+    fn leaf(&mut self, first: u32, count: u32) -> bool {
+        // Eight from here on exist, and the leaf's are among them.
+        let start = first.min(self.last);
+        let mut left = self.sieve.pass_run(self.lanes, start);
+        if L::WIDE < LEAF as usize {
+            left |= self.sieve.pass_run(self.lanes, start + L::WIDE as u32) << L::WIDE;
         }
-        let arrays = four.arrays(l);
+        left &= !(u32::MAX << count) << (first - start);
         while left != 0 {
-            let i = left.trailing_zeros() as usize % 4;
+            if self.decide_apart(start + left.trailing_zeros()) {
+                return true;
+            }
             left &= left - 1;
-            let triangle = self.sections.triangle(numbers[i]);
-            if !visible(self.ray, triangle) {
-                continue;
-            }
-            let near = arrays.estimate(i);
-            if let Some(enough) = self.query.meet_near(&self.line, &near, triangle, numbers[i]) {
-                self.reach[1] = beyond(self.query.limit());
-                self.to = above(self.reach[1] * self.per_t);
-                if enough {
-                    return true;
-                }
-            }
         }
         false
+    }
+
+    /// [`Descent::decide`]; cold, so that registers are not spilled where there is nothing to
+    /// decide.
+    #[cold]
+    fn decide_apart(&mut self, number: u32) -> bool {
+        self.lanes.run(Decide { descent: self, number })
+    }
+
+    /// The exact test of what the sieve let through.
+    #[inline(always)]
+    fn decide(&mut self, number: u32) -> bool {
+        let triangle = self.sections.triangle(number);
+        if !visible(self.ray, triangle) {
+            return false;
+        }
+        let Some(enough) = self.query.meet(&Line::new(self.ray), triangle, number) else {
+            return false;
+        };
+        let limit = self.query.limit();
+        self.sieve.limit(limit);
+        self.to = above(beyond(limit) * self.per_t);
+        enough
     }
 }
 
 impl<L: Lanes> Slabs<L> {
-    /// A bit for each part of a node that the ray meets up to `to`, and where it enters each.
+    /// A bit for each part of a node that the ray meets up to `to`, and where it enters these:
+    /// in one wide row, or two.
     #[inline(always)]
-    fn meet(&self, l: L, node: &Node, to: f32) -> (u32, [f32; PARTS]) {
-        let (mut met, mut entries, mut at) = (0, [0.0; PARTS], 0);
-        while at < PARTS {
-            let [mut enter, mut leave] = [self.from, l.splat_wide(to)];
-            let mut k = 0;
-            while k < 3 {
-                let (near, far) = (&node.bounds[self.near[k] % 6], &node.bounds[self.far[k] % 6]);
-                let (near, far) = (l.load_from(near, at), l.load_from(far, at));
-                enter = l.max_wide(enter, l.mul_add_wide(near, self.pace[k], self.enter[k]));
-                leave = l.min_wide(leave, l.mul_add_wide(far, self.pace[k], self.leave[k]));
-                k += 1;
-            }
-            met |= l.at_most(enter, leave) << at;
-            l.store_from(enter, &mut entries, at);
-            at += L::WIDE;
+    fn meet(&self, l: L, sections: &Sections<'_>, node: u32, to: f32) -> (u32, [L::Wide; 2]) {
+        let (met, enter) = self.some(l, sections, node, to, 0);
+        if L::WIDE == PARTS {
+            return (met, [enter, enter]);
         }
-        (met, entries)
+        let (others, after) = self.some(l, sections, node, to, L::WIDE);
+        (met | others << L::WIDE, [enter, after])
+    }
+
+    /// [`Slabs::meet`] of the parts from `at` on.
+    #[inline(always)]
+    fn some(&self, l: L, sections: &Sections<'_>, node: u32, to: f32, at: usize) -> (u32, L::Wide) {
+        let near = each!(k => l.load_from(sections.bounds(node, self.near[k]), at));
+        let far = each!(k => l.load_from(sections.bounds(node, self.far[k]), at));
+        let enter = each!(k => l.mul_add_wide(near[k], self.pace[k], self.enter[k]));
+        let leave = each!(k => l.mul_add_wide(far[k], self.pace[k], self.leave[k]));
+        let first = l.max_wide(l.max_wide(enter[0], enter[1]), l.max_wide(enter[2], self.from));
+        let last = l.min_wide(leave[0], leave[1]);
+        let last = l.min_wide(last, l.min_wide(leave[2], l.splat_wide(to)));
+        (l.at_most(first, last), first)
     }
 }

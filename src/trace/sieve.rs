@@ -8,9 +8,16 @@
 //! `6.1 e R` (difference 1, slope 1, product 1, third difference 1 twice, in units of
 //! e R). Call d = 8 e R. An edge product of corners i and j is then off by at most
 //! `2 d` times the sum of their `|x|` and `|y|`, and `4 d^2`, its own rounding
-//! included; the bound used is `3 d` times the sum of `|x| + |y| + 2 d` over all three.
-//! A fused multiply-add only leaves roundings out. Scenes so large or small that
-//! `f32` products leave their range are not sieved.
+//! included; the bound used is `3 d` times the sum of `|x| + |y| + 2 d` over all three: call it
+//! E. A fused multiply-add only leaves roundings out.
+//!
+//! A triangle is out, too, if the place on it that the ray meets is out of range. The edge
+//! products are that place's weights, so its z is the sum of their products with the corners' z,
+//! `height`, over their sum, `det`. With U the sum of the products' sizes, det is off by at most
+//! `3 E + 3 e U`; with Z the largest |z| of the corners and that of the range's end,
+//! `height - end det` by `(3 E + 6 e U) Z`. Used are `4 E + 8 e U`, for both, and 2^-100 for what
+//! underflows. An infinite end makes infinities and NaN, which are never out. Scenes so large
+//! or small that `f32` products leave their range are not sieved.
 
 use super::counters::Count;
 use crate::arena::{Axis, Sections};
@@ -19,9 +26,9 @@ use crate::simd::Lanes;
 
 use super::bounds::splat3;
 
-/// Distances within which products of two sheared coordinates, and of two of
+/// Distances within which products of three sheared coordinates, and of two of
 /// their error bounds, stay in the range of `f32`.
-const RANGE: core::ops::Range<f32> = 1e-14..1e14;
+const RANGE: core::ops::Range<f32> = 1e-9..1e12;
 
 /// 2^-100.
 const TINY: f32 = 1.0 / (1u128 << 100) as f32;
@@ -126,6 +133,25 @@ impl<'a> Sieve<'a> {
         all & !misses(l, rays, triangles)
     }
 
+    /// One bit for each of [`Lanes::WIDE`] triangles, from number `first` on, that the ray may
+    /// meet in range.
+    #[inline(always)]
+    pub fn pass_run<L: Lanes>(&self, l: L, first: u32) -> u32 {
+        let all = u32::MAX >> (32 - L::WIDE);
+        if !self.holds {
+            return all;
+        }
+        let [x, y, z] = &self.axes;
+        let triangles = [
+            l.columns(|i| x.row(3 * (first + i as u32))),
+            l.columns(|i| y.row(3 * (first + i as u32))),
+            l.columns(|i| z.row(3 * (first + i as u32))),
+        ];
+        let [org, slope, range] = &self.rows;
+        let rays = [splat3(l, org), splat3(l, slope), splat3(l, range)];
+        all & !misses(l, rays, triangles)
+    }
+
     /// One bit for each of [`Lanes::WIDE`] triangles, from references, that a ray of its own
     /// may meet in range.
     #[inline(always)]
@@ -167,10 +193,28 @@ fn misses<L: Lanes>(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> u32
     let error = l.mul_wide(error, l.add_wide(size, l.add_wide(error, error)));
     let most = l.max_wide(l.max_wide(ab, bc), ca);
     let least = l.min_wide(l.min_wide(ab, bc), ca);
-    let minus_least = l.sub_wide(l.splat_wide(0.0), least);
+    let zero = l.splat_wide(0.0);
+    let minus_least = l.sub_wide(zero, least);
+    let beside = l.misses([most, error], minus_least, [zero, zero], [zero, zero]);
     let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
     let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
-    l.misses([most, error], minus_least, [far, lo], [near, hi])
+    // The hit's z times the determinant, and the determinant, of which each product is a weight.
+    let det = l.add_wide(l.add_wide(ab, bc), ca);
+    let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
+    let sizes = l.add_wide(l.add_wide(l.abs_wide(ab), l.abs_wide(bc)), l.abs_wide(ca));
+    let error = l.add_wide(error, error);
+    let error = l.mul_add_wide(sizes, l.splat_wide(4.0 * f32::EPSILON), l.add_wide(error, error));
+    let depth = l.max_wide(l.abs_wide(near), l.abs_wide(far));
+    let size = l.abs_wide(det);
+    let height = l.choose_wide(zero, det, height, l.sub_wide(zero, height));
+    let tiny = l.splat_wide(TINY);
+    let before = l.mul_add_wide(l.add_wide(depth, l.abs_wide(lo)), error, tiny);
+    let behind = l.mul_add_wide(l.add_wide(depth, l.abs_wide(hi)), error, tiny);
+    let before = l.sub_wide(l.sub_wide(l.mul_wide(lo, size), height), before);
+    let behind = l.sub_wide(l.sub_wide(height, l.mul_wide(hi, size)), behind);
+    let certain = l.sub_wide(size, error);
+    let out = l.max_wide(before, behind);
+    beside | l.misses([out, zero], certain, [far, lo], [near, hi])
 }
 
 /// Corners of triangles, sheared.

@@ -31,9 +31,9 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
         }
         if !C::COUNTS
             && self.view.header().nodes.count > 0
-            && let Some(mut descent) = Descent::new(lanes, self.view, self.ray, self.query)
+            && let Some((mut descent, slabs)) = Descent::new(lanes, self.view, self.ray, self.query)
         {
-            descent.run(self.view.header().occluders());
+            descent.run(&slabs, self.view.header().occluders());
             return descent.query.found(&self.view.sections(), self.ray);
         }
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);

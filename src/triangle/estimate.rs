@@ -13,7 +13,7 @@
 //! 2^400, so `f64` neither overflows nor loses bits to underflow.
 
 use super::{Corners, Vector, three};
-use crate::simd::{Lanes, Pair};
+use crate::simd::Pair;
 
 /// Half the distance from 1 to the next number.
 pub const E: f64 = 1.0 / (1u64 << 53) as f64;
@@ -120,137 +120,6 @@ impl Apex {
     pub fn normal(&self) -> [f32; 3] {
         three(|k| self.normal[k] as f32)
     }
-}
-
-/// [`Apex::normal`] of a triangle, bit for bit.
-#[inline(always)]
-pub fn normal(triangle: &impl Corners) -> [f32; 3] {
-    // What does not depend on the origin is all that is computed.
-    Apex::new(&[0.0; 3], triangle).normal()
-}
-
-/// What a line has to do with four triangles, as [`Estimate`] has it for one.
-pub struct Four<L: Lanes> {
-    u: L::F64,
-    v: L::F64,
-    height: L::F64,
-    det: L::F64,
-    /// The largest coordinate of the way to the first corner, of `e1` and of `e2`.
-    sizes: [L::F64; 3],
-    /// The sum of the direction's components.
-    size: f64,
-}
-
-impl<L: Lanes> Four<L> {
-    /// Of triangles by their `rows`, axis by axis, and a bit for each that the line may pierce
-    /// at a t in `[low, high]`.
-    ///
-    /// The order of operations is another than in [`Apex`]: `dir x to` comes before its
-    /// products with the edges. That is as many roundings, so the same bounds hold.
-    #[inline(always)]
-    pub fn new(
-        l: L,
-        [org, dir]: [&Vector; 2],
-        rows: [[&[f32; 4]; 4]; 3],
-        [low, high]: [f64; 2],
-    ) -> (Self, u32) {
-        let zero = l.splat_f64(0.0);
-        let at = each!(k => l.columns_f32(rows[k]));
-        let first = each!(k => l.widen(at[k][0]));
-        let e1 = each!(k => l.sub_f64(l.widen(at[k][1]), first[k]));
-        let e2 = each!(k => l.sub_f64(l.widen(at[k][2]), first[k]));
-        let to = each!(k => l.sub_f64(first[k], l.splat_f64(org[k])));
-        let d = each!(k => l.splat_f64(dir[k]));
-        let side = cross(l, d, to);
-        let normal = cross(l, e1, e2);
-        let det = l.sub_f64(zero, product(l, normal, d));
-        let height = l.sub_f64(zero, product(l, normal, to));
-        let u = product(l, e2, side);
-        let v = l.sub_f64(zero, product(l, e1, side));
-        let w = l.sub_f64(l.sub_f64(det, u), v);
-        let [m0, m1, m2] = [largest_of(l, to), largest_of(l, e1), largest_of(l, e2)];
-        let area = l.mul_f64(m1, m2);
-        let size = dir[0].abs() + dir[1].abs() + dir[2].abs();
-        let scale = l.splat_f64((20.0 * E) * size);
-        let error = l.mul_f64(scale, l.mul_add_f64(m0, l.add_f64(m1, m2), area));
-        let least = l.min_f64(l.min_f64(u, v), w);
-        let most = l.max_f64(l.max_f64(u, v), w);
-        let outside = l.greater_f64(l.min_f64(l.sub_f64(zero, least), most), error);
-        // With the sign of t, if that of det is certain. Twice the bounds of errors leave room
-        // for what is rounded here.
-        let (det_size, upward) = (l.abs_f64(det), l.mirror_f64(height, zero, det));
-        let det_error = l.mul_f64(l.add_f64(scale, scale), area);
-        let height_error = l.mul_f64(l.splat_f64(128.0 * E), l.mul_f64(m0, area));
-        let certain = l.greater_f64(det_size, det_error);
-        let (from, to) = (l.splat_f64(low), l.splat_f64(high));
-        let error_from = l.mul_add_f64(l.abs_f64(from), det_error, height_error);
-        let error_to = l.mul_add_f64(l.abs_f64(to), det_error, height_error);
-        let beyond = l.greater_f64(l.sub_f64(upward, l.mul_f64(to, det_size)), error_to)
-            | l.greater_f64(l.sub_f64(l.mul_f64(from, det_size), upward), error_from);
-        let four = Self { u, v, height, det, sizes: [m0, m1, m2], size };
-        (four, !(outside | beyond & certain) & 15)
-    }
-
-    /// The numbers, to look at one by one.
-    #[inline(always)]
-    pub fn arrays(&self, l: L) -> Arrays {
-        Arrays {
-            u: l.array_f64(self.u),
-            v: l.array_f64(self.v),
-            height: l.array_f64(self.height),
-            det: l.array_f64(self.det),
-            sizes: each!(k => l.array_f64(self.sizes[k])),
-            size: self.size,
-        }
-    }
-}
-
-/// [`Four`] in memory.
-pub struct Arrays {
-    u: [f64; 4],
-    v: [f64; 4],
-    height: [f64; 4],
-    det: [f64; 4],
-    sizes: [[f64; 4]; 3],
-    size: f64,
-}
-
-impl Arrays {
-    /// What is known of one of them.
-    #[inline(always)]
-    pub fn estimate(&self, i: usize) -> Estimate {
-        let [m0, m1, m2] = [self.sizes[0][i], self.sizes[1][i], self.sizes[2][i]];
-        let (area, error) = (m1 * m2, (20.0 * E) * self.size);
-        Estimate {
-            u: self.u[i],
-            v: self.v[i],
-            height: self.height[i],
-            det: self.det[i],
-            u_error: m0 * m2 * error,
-            v_error: m0 * m1 * error,
-            height_error: (64.0 * E) * m0 * area,
-            det_error: area * error,
-        }
-    }
-}
-
-#[inline(always)]
-fn cross<L: Lanes>(l: L, a: [L::F64; 3], b: [L::F64; 3]) -> [L::F64; 3] {
-    [
-        l.cross_f64(a[1], b[2], a[2], b[1]),
-        l.cross_f64(a[2], b[0], a[0], b[2]),
-        l.cross_f64(a[0], b[1], a[1], b[0]),
-    ]
-}
-
-#[inline(always)]
-fn product<L: Lanes>(l: L, a: [L::F64; 3], b: [L::F64; 3]) -> L::F64 {
-    l.mul_add_f64(a[0], b[0], l.mul_add_f64(a[1], b[1], l.mul_f64(a[2], b[2])))
-}
-
-#[inline(always)]
-fn largest_of<L: Lanes>(l: L, a: [L::F64; 3]) -> L::F64 {
-    l.max_f64(l.max_f64(l.abs_f64(a[0]), l.abs_f64(a[1])), l.abs_f64(a[2]))
 }
 
 impl Estimate {

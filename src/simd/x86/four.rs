@@ -86,24 +86,6 @@ macro_rules! four_lanes {
             })
         }
         #[inline(always)]
-        fn mul_add_f64(self, a: __m256d, b: __m256d, c: __m256d) -> __m256d {
-            with!(_mm256_fmadd_pd(a, b, c))
-        }
-        #[inline(always)]
-        fn cross_f64(self, a: __m256d, b: __m256d, c: __m256d, d: __m256d) -> __m256d {
-            with!(_mm256_fmsub_pd(a, b, _mm256_mul_pd(c, d)))
-        }
-        #[inline(always)]
-        fn greater_f64(self, a: __m256d, b: __m256d) -> u32 {
-            with!(_mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(a, b))) as u32
-        }
-        #[inline(always)]
-        fn array_f64(self, a: __m256d) -> [f64; 4] {
-            let mut array = [0.0; 4];
-            with!(_mm256_storeu_pd(array.as_mut_ptr(), a));
-            array
-        }
-        #[inline(always)]
         fn highest3(self, a: __m256d) -> f64 {
             with!({
                 let (low, z) = (_mm256_castpd256_pd128(a), _mm256_extractf128_pd::<1>(a));
@@ -168,6 +150,10 @@ macro_rules! four_lanes {
             with!(_mm_xor_ps(_mm_set1_ps(-0.0), a))
         }
         #[inline(always)]
+        fn sign_f32(self, a: __m128, b: __m128) -> __m128 {
+            with!(_mm_or_ps(a, _mm_and_ps(_mm_set1_ps(-0.0), b)))
+        }
+        #[inline(always)]
         fn max_f32(self, a: __m128, b: __m128) -> __m128 {
             with!(_mm_max_ps(a, b))
         }
@@ -195,19 +181,6 @@ macro_rules! four_lanes {
         #[inline(always)]
         fn first(self, a: __m128) -> f32 {
             with!(_mm_cvtss_f32(a))
-        }
-        #[inline(always)]
-        fn columns_f32(self, rows: [&[f32; 4]; 4]) -> [__m128; 3] {
-            with!({
-                let [r0, r1, r2, r3] = rows.map(|row| _mm_loadu_ps(row.as_ptr()));
-                let (low01, low23) = (_mm_unpacklo_ps(r0, r1), _mm_unpacklo_ps(r2, r3));
-                let (high01, high23) = (_mm_unpackhi_ps(r0, r1), _mm_unpackhi_ps(r2, r3));
-                [
-                    _mm_movelh_ps(low01, low23),
-                    _mm_movehl_ps(low23, low01),
-                    _mm_movelh_ps(high01, high23),
-                ]
-            })
         }
         #[inline(always)]
         fn truncate(self, a: __m128) -> __m128i {
