@@ -14,13 +14,16 @@
 //! of operations, on fused multiply-add, or on the instruction set.
 
 mod estimate;
+mod judge;
 
 use crate::arena::layout::Triangle;
 use crate::exact::{self, Case};
 use crate::ray::Ray;
+use crate::simd::Lanes;
 
-pub use estimate::Apex;
-use estimate::{E, Estimate, Sides};
+pub use estimate::{Apex, normal};
+use estimate::{E, Estimate, Range, Sides, sum};
+use judge::{Judged, Place};
 
 type Vector = [f64; 3];
 
@@ -113,20 +116,47 @@ impl Line {
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => None,
             Sides::Inside => {
                 let t = near.t();
-                if t.low == t.high {
-                    let t = self.in_range(t.low, tmax)?;
-                    Some(Met { t, weights: near.rounded_weights() })
-                } else if t.high < self.tmin || t.low > tmax {
-                    None
-                } else {
-                    let t = self.in_range(self.t_inside(&triangle.all()), tmax)?;
-                    Some(Met { t, weights: None })
-                }
+                let weights = if t.low == t.high { near.rounded_weights() } else { None };
+                self.met_inside(Place { t, weights }, triangle, tmax)
             }
             Sides::Unsure => {
                 let t = self.meet_exactly(&triangle.all(), tmax)?;
                 Some(Met { t, weights: None })
             }
+        }
+    }
+
+    /// [`Line::meet`] in lanes, which takes half the time.
+    #[inline(always)]
+    pub fn meet_in<L: Lanes>(&self, l: L, triangle: &Triangle, tmax: f32) -> Option<Met> {
+        let judged = Judged::new(l, self, triangle);
+        match judged.sides {
+            Sides::Outside => None,
+            Sides::Inside if self.flags != 0 && self.culls(judged.is_front()) => None,
+            Sides::Inside => self.met_inside(judged.place(l), triangle, tmax),
+            Sides::Unsure => {
+                let t = self.meet_exactly(&triangle.all(), tmax)?;
+                Some(Met { t, weights: None })
+            }
+        }
+    }
+
+    /// The hit where the line is inside, if it is in range.
+    #[inline(always)]
+    fn met_inside(
+        &self,
+        Place { t, weights }: Place,
+        triangle: &impl Corners,
+        tmax: f32,
+    ) -> Option<Met> {
+        if t.low == t.high {
+            let t = self.in_range(t.low, tmax)?;
+            Some(Met { t, weights })
+        } else if t.high < self.tmin || t.low > tmax {
+            None
+        } else {
+            let t = self.in_range(self.t_inside(&triangle.all()), tmax)?;
+            Some(Met { t, weights: None })
         }
     }
 
@@ -137,17 +167,32 @@ impl Line {
         match near.sides() {
             Sides::Outside => false,
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,
-            Sides::Inside => {
-                let t = near.t();
-                if t.low >= self.tmin && t.high <= finite(tmax) {
-                    true
-                } else if t.high < self.tmin || t.low > tmax {
-                    false
-                } else {
-                    self.in_range(self.t_inside(&triangle.all()), tmax).is_some()
-                }
-            }
+            Sides::Inside => self.pierces_inside(&near.t(), triangle, tmax),
             Sides::Unsure => self.meet_exactly(&triangle.all(), tmax).is_some(),
+        }
+    }
+
+    /// [`Line::pierces`] in lanes, likewise.
+    #[inline(always)]
+    pub fn pierces_in<L: Lanes>(&self, l: L, triangle: &Triangle, tmax: f32) -> bool {
+        let judged = Judged::new(l, self, triangle);
+        match judged.sides {
+            Sides::Outside => false,
+            Sides::Inside if self.flags != 0 && self.culls(judged.is_front()) => false,
+            Sides::Inside => self.pierces_inside(&judged.place(l).t, triangle, tmax),
+            Sides::Unsure => self.meet_exactly(&triangle.all(), tmax).is_some(),
+        }
+    }
+
+    /// Whether t is in range where the line is inside.
+    #[inline(always)]
+    fn pierces_inside(&self, t: &Range, triangle: &impl Corners, tmax: f32) -> bool {
+        if t.low >= self.tmin && t.high <= finite(tmax) {
+            true
+        } else if t.high < self.tmin || t.low > tmax {
+            false
+        } else {
+            self.in_range(self.t_inside(&triangle.all()), tmax).is_some()
         }
     }
 

@@ -227,6 +227,13 @@ impl Triangle {
     pub fn corners(&self) -> [[f32; 3]; 3] {
         [0, 1, 2].map(|i| [self.x[i], self.y[i], self.z[i]])
     }
+
+    /// x, y and z of the corners; fourth lanes mean nothing.
+    #[inline(always)]
+    pub fn rows(&self) -> [&[f32; 4]; 3] {
+        let rows: &[[f32; 4]; 3] = bytemuck::cast_ref(self);
+        [&rows[0], &rows[1], &rows[2]]
+    }
 }
 
 impl Header {

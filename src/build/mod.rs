@@ -60,7 +60,7 @@ use capacity::Capacity;
 use draft::Draft;
 use gather::Soup;
 use scratch::Scratch;
-use tree::Memory;
+use tree::{Care, Memory};
 
 /// Upper bounds on the memory a build of these geometries needs; their
 /// vertices are not looked at.
@@ -122,8 +122,8 @@ pub fn plan_with<'s>(
         let mut nodes: &[Node] = &[];
         if capacity.tree > 0 && count >= LEAF as usize {
             control.pass(0.3)?;
-            let bins = if options.quality == Quality::High { 32 } else { 16 };
-            nodes = tree.build(&draft.soup, &mut objects[..count], bins, control)?;
+            let care = if options.quality == Quality::High { Care::HIGH } else { Care::NORMAL };
+            nodes = tree.build(&draft.soup, &mut objects[..count], care, control)?;
             draft.keep_order();
         }
         if count > 0 {

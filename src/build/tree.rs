@@ -18,7 +18,9 @@ use super::scratch::{Scratch, cut};
 use crate::Error;
 use crate::arena::layout::{LEAF, NODE, Node, PART_SHIFT, PARTS};
 use item::{Item, items};
-use split::{Part, split};
+use split::{Bins, Part, split};
+
+pub use split::Care;
 
 /// Levels of nodes whose splits are chosen; below, triangles are halved.
 const CHOSEN: usize = 36;
@@ -62,7 +64,7 @@ impl<'s> Memory<'s> {
         self,
         soup: &Soup<'_>,
         order: &mut [u32],
-        bins: usize,
+        care: Care,
         control: &mut Control<'_>,
     ) -> Result<&'s [Node], Error> {
         let Self { items: memory, nodes, ranges } = self;
@@ -74,7 +76,7 @@ impl<'s> Memory<'s> {
         while !level.is_empty() {
             let some = &mut nodes[level.clone()];
             let ranges = &numbers.ranges[level.clone()];
-            split_level(some, ranges, memory, (bins, depth < CHOSEN), control)?;
+            split_level(some, ranges, memory, (depth < CHOSEN).then_some(care), control)?;
             for node in some {
                 numbers.give(node, memory);
             }
@@ -99,7 +101,7 @@ fn split_level(
     mut nodes: &mut [Node],
     mut ranges: &[[u32; 2]],
     mut items: &mut [Item],
-    how: (usize, bool),
+    care: Option<Care>,
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
     let all: usize = ranges.iter().map(|range| range[1] as usize).sum();
@@ -123,10 +125,11 @@ fn split_level(
         Some(Some { nodes: cut(&mut nodes, count), ranges: some, items, start: start as usize })
     });
     control.each(&mut tasks, |some| {
+        let mut bins = Bins::new();
         for (node, [start, len]) in some.nodes.iter_mut().zip(some.ranges) {
             let start = *start as usize - some.start;
             let items = &mut some.items[start..start + *len as usize];
-            *node = split_node(items, (start + some.start) as u32, how);
+            *node = split_node(items, (start + some.start) as u32, care, &mut bins);
         }
     })?;
     control.count(3 * all);
@@ -135,13 +138,13 @@ fn split_level(
 
 /// A node over some items. Its parts have no places yet: where they begin among all items,
 /// the first of these being `start`, is in the words that are reserved.
-fn split_node(items: &mut [Item], start: u32, (bins, chosen): (usize, bool)) -> Node {
+fn split_node(items: &mut [Item], start: u32, care: Option<Care>, bins: &mut Bins) -> Node {
     let mut parts = [Part::EMPTY; PARTS];
     parts[0] = Part::of(items);
     let mut count = 1;
     while count < PARTS {
         // A part's place among its neighbours stays, so that items of a level are in order.
-        let size = |part: &Part| if chosen { part.surface() } else { part.len as f32 };
+        let size = |part: &Part| if care.is_some() { part.surface() } else { part.len as f32 };
         let large = (0..count).filter(|&k| parts[k].len > LEAF as usize);
         let Some(k) = large.reduce(|a, b| if size(&parts[b]) > size(&parts[a]) { b } else { a })
         else {
@@ -149,7 +152,7 @@ fn split_node(items: &mut [Item], start: u32, (bins, chosen): (usize, bool)) -> 
         };
         let first: usize = parts[..k].iter().map(|part| part.len).sum();
         let some = &mut items[first..first + parts[k].len];
-        let [a, b] = split(some, if chosen { bins } else { 0 });
+        let [a, b] = split(some, &parts[k], care, bins);
         parts.copy_within(k + 1..count, k + 2);
         (parts[k], parts[k + 1]) = (a, b);
         count += 1;
@@ -186,7 +189,7 @@ impl Numbers<'_> {
             } else if len > 0 {
                 let leaf = &items[start as usize..][..len as usize];
                 for (to, item) in self.order[self.first..].iter_mut().zip(leaf) {
-                    *to = item.number;
+                    *to = item.number();
                 }
                 self.first += leaf.len();
                 (self.first as u32 - len) << PART_SHIFT | len

@@ -131,6 +131,21 @@ impl Lanes for Neon {
         };
         fn any_beyond(self, a: F64, b: f64) -> bool =
             any3(vcagtq_f64(a.0, vdupq_n_f64(b)), vcagtq_f64(a.1, vdupq_n_f64(b)));
+        fn mul_add_f64(self, a: F64, b: F64, c: F64) -> F64 = halves!(vfmaq_f64, c, a, b);
+        fn cross_f64(self, a: F64, b: F64, c: F64, d: F64) -> F64 = {
+            let first = halves!(vmulq_f64, a, b);
+            halves!(vfmsq_f64, first, c, d)
+        };
+        fn next_f64(self, a: F64) -> F64 =
+            F64(vextq_f64::<1>(a.0, a.1), vcopyq_laneq_f64::<1, 0>(a.0, a.1));
+        fn with_first(self, a: F64, b: F64) -> F64 = F64(vcopyq_laneq_f64::<0, 0>(a.0, b.0), a.1);
+        fn with_last(self, a: F64, b: F64) -> F64 = F64(a.0, vcopyq_laneq_f64::<1, 0>(a.1, b.0));
+        fn array_f64(self, a: F64) -> [f64; 4] = {
+            let mut array = [0.0; 4];
+            vst1q_f64(array.as_mut_ptr(), a.0);
+            vst1q_f64(array[2..].as_mut_ptr(), a.1);
+            array
+        };
         fn highest3(self, a: F64) -> f64 = vmaxvq_f64(vmaxq_f64(a.0, vdupq_laneq_f64::<0>(a.1)));
         fn lowest3(self, a: F64) -> f64 = vminvq_f64(vminq_f64(a.0, vdupq_laneq_f64::<0>(a.1)));
 

@@ -46,6 +46,17 @@ pub(crate) trait Lanes: Copy + 'static {
     fn any_beyond(self, a: Self::F64, b: f64) -> bool;
     /// Whether one of the first three lanes is below 0 or above that of `n`.
     fn any_outside(self, a: Self::F64, n: Self::F64) -> bool;
+    /// `a * b + c`, rounded once or twice.
+    fn mul_add_f64(self, a: Self::F64, b: Self::F64, c: Self::F64) -> Self::F64;
+    /// `a * b - c * d`, rounded twice or three times.
+    fn cross_f64(self, a: Self::F64, b: Self::F64, c: Self::F64, d: Self::F64) -> Self::F64;
+    /// Lanes 1, 2, 0 and 2.
+    fn next_f64(self, a: Self::F64) -> Self::F64;
+    /// `a` with the first lane of `b` as its first.
+    fn with_first(self, a: Self::F64, b: Self::F64) -> Self::F64;
+    /// `a` with the first lane of `b` as its last.
+    fn with_last(self, a: Self::F64, b: Self::F64) -> Self::F64;
+    fn array_f64(self, a: Self::F64) -> [f64; 4];
     /// The greatest of the first three lanes.
     fn highest3(self, a: Self::F64) -> f64;
     /// The least of the first three lanes.

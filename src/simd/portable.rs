@@ -112,6 +112,30 @@ impl Lanes for Portable {
         (0..3).any(|k| a[k] < 0.0 || a[k] > n[k])
     }
     #[inline(always)]
+    fn mul_add_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        core::array::from_fn(|k| a[k] * b[k] + c[k])
+    }
+    #[inline(always)]
+    fn cross_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4], d: [f64; 4]) -> [f64; 4] {
+        core::array::from_fn(|k| a[k] * b[k] - c[k] * d[k])
+    }
+    #[inline(always)]
+    fn next_f64(self, [x, y, z, _]: [f64; 4]) -> [f64; 4] {
+        [y, z, x, z]
+    }
+    #[inline(always)]
+    fn with_first(self, [_, y, z, w]: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        [b[0], y, z, w]
+    }
+    #[inline(always)]
+    fn with_last(self, [x, y, z, _]: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        [x, y, z, b[0]]
+    }
+    #[inline(always)]
+    fn array_f64(self, a: [f64; 4]) -> [f64; 4] {
+        a
+    }
+    #[inline(always)]
     fn highest3(self, [x, y, z, _]: [f64; 4]) -> f64 {
         let high = |x: f64, y: f64| if x > y { x } else { y };
         high(high(x, y), z)

@@ -103,6 +103,17 @@ impl Query for Collect<'_> {
         self.take(line, triangle).then_some(false)
     }
 
+    #[inline(always)]
+    fn meet_in<L: Lanes>(
+        &mut self,
+        _: L,
+        line: &Line,
+        triangle: &Triangle,
+        _: u32,
+    ) -> Option<bool> {
+        self.take(line, triangle).then_some(false)
+    }
+
     fn found(&self, _: &Sections<'_>, _: &Ray) -> Found {
         self.found
     }

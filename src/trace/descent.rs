@@ -270,7 +270,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         if !visible(self.ray, triangle) {
             return false;
         }
-        let Some(enough) = self.query.meet(&Line::new(self.ray), triangle, number) else {
+        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number) else {
             return false;
         };
         let limit = self.query.limit();

@@ -4,7 +4,7 @@ use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
 use crate::simd::Lanes;
-use crate::triangle::{Apex, Line, Met};
+use crate::triangle::{Apex, Line, Met, normal};
 
 /// What a walk looks for.
 pub(crate) trait Query: Copy {
@@ -31,6 +31,14 @@ pub(crate) trait Query: Copy {
     fn meet(&mut self, line: &Line, triangle: &Triangle, number: u32) -> Option<bool> {
         self.meet_from(line, &line.apex(triangle), triangle, number)
     }
+    /// [`Query::meet`] in lanes.
+    fn meet_in<L: Lanes>(
+        &mut self,
+        l: L,
+        line: &Line,
+        triangle: &Triangle,
+        number: u32,
+    ) -> Option<bool>;
     /// What was found, once all has been met.
     fn found(&self, sections: &Sections<'_>, ray: &Ray) -> Self::Out;
 }
@@ -44,6 +52,20 @@ pub(crate) struct Closest {
     number: u32,
     weights: Option<(f32, f32)>,
     normal: [f32; 3],
+}
+
+impl Closest {
+    /// Whether a hit comes before that found so far.
+    #[inline(always)]
+    fn prefers(&self, met: &Met, triangle: &Triangle) -> bool {
+        met.t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim)
+    }
+
+    #[inline(always)]
+    fn take(&mut self, met: Met, triangle: &Triangle, number: u32, normal: [f32; 3]) {
+        let (Met { t, weights }, Triangle { geom, prim, .. }) = (met, *triangle);
+        *self = Self { limit: t, geom, prim, number, weights, normal };
+    }
 }
 
 impl Query for Closest {
@@ -79,10 +101,24 @@ impl Query for Closest {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool> {
-        let Met { t, weights } = line.meet(apex, triangle, self.limit)?;
-        if t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim) {
-            let Triangle { geom, prim, .. } = *triangle;
-            *self = Self { limit: t, geom, prim, number, weights, normal: apex.normal() };
+        let met = line.meet(apex, triangle, self.limit)?;
+        if self.prefers(&met, triangle) {
+            self.take(met, triangle, number, apex.normal());
+        }
+        Some(false)
+    }
+
+    #[inline(always)]
+    fn meet_in<L: Lanes>(
+        &mut self,
+        l: L,
+        line: &Line,
+        triangle: &Triangle,
+        number: u32,
+    ) -> Option<bool> {
+        let met = line.meet_in(l, triangle, self.limit)?;
+        if self.prefers(&met, triangle) {
+            self.take(met, triangle, number, normal(triangle));
         }
         Some(false)
     }
@@ -127,6 +163,18 @@ impl Query for Any {
     #[inline(always)]
     fn meet_from(&mut self, line: &Line, apex: &Apex, triangle: &Triangle, _: u32) -> Option<bool> {
         self.found = line.pierces(apex, triangle, self.tmax);
+        self.found.then_some(true)
+    }
+
+    #[inline(always)]
+    fn meet_in<L: Lanes>(
+        &mut self,
+        l: L,
+        line: &Line,
+        triangle: &Triangle,
+        _: u32,
+    ) -> Option<bool> {
+        self.found = line.pierces_in(l, triangle, self.tmax);
         self.found.then_some(true)
     }
 

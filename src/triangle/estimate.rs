@@ -54,6 +54,22 @@ pub enum Sides {
     Unsure,
 }
 
+impl Sides {
+    /// From two weights and the sum of all three, and the sum of the bounds of their errors.
+    #[inline(always)]
+    pub fn of([u, v, det]: [f64; 3], error: f64) -> Self {
+        let w = det - u - v;
+        let (lowest, highest) = (min(min(u, v), w), max(max(u, v), w));
+        if max(lowest, -highest) > error {
+            Self::Inside
+        } else if min(-lowest, highest) > error {
+            Self::Outside
+        } else {
+            Self::Unsure
+        }
+    }
+}
+
 /// Bounds of a quotient, as `f32`; equal if the rounding is certain.
 pub struct Range {
     pub low: f32,
@@ -74,6 +90,12 @@ fn max(a: f64, b: f64) -> f64 {
 #[inline(always)]
 fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
+}
+
+/// The sizes of the coordinates, summed.
+#[inline(always)]
+pub fn sum(a: &Vector) -> f64 {
+    a[0].abs() + a[1].abs() + a[2].abs()
 }
 
 #[inline(always)]
@@ -122,13 +144,20 @@ impl Apex {
     }
 }
 
+/// [`Apex::normal`] of a triangle, bit for bit.
+#[inline(always)]
+pub fn normal(triangle: &impl Corners) -> [f32; 3] {
+    // What depends on the origin is not computed.
+    Apex::new(&[0.0; 3], triangle).normal()
+}
+
 impl Estimate {
     #[inline(always)]
     pub fn new(apex: &Apex, dir: &Vector) -> Self {
         let d = three(|k| Pair::splat(dir[k]));
         let sides = &apex.sides;
         let weights = d[0].mul(sides[0]).add(d[1].mul(sides[1])).add(d[2].mul(sides[2]));
-        let size = dir[0].abs() + dir[1].abs() + dir[2].abs();
+        let size = sum(dir);
         let errors = apex.errors.mul(Pair::splat(size));
         Self {
             u: weights.second(),
@@ -144,16 +173,7 @@ impl Estimate {
 
     #[inline(always)]
     pub fn sides(&self) -> Sides {
-        let (u, v, w) = (self.u, self.v, self.det - self.u - self.v);
-        let error = self.u_error + self.v_error + self.det_error;
-        let (lowest, highest) = (min(min(u, v), w), max(max(u, v), w));
-        if max(lowest, -highest) > error {
-            Sides::Inside
-        } else if min(-lowest, highest) > error {
-            Sides::Outside
-        } else {
-            Sides::Unsure
-        }
+        Sides::of([self.u, self.v, self.det], self.u_error + self.v_error + self.det_error)
     }
 
     /// Whether the line comes from the side to which `e1 x e2` points, if it is inside:

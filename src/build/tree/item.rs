@@ -6,16 +6,35 @@ use crate::build::control::{Control, TASKS, parts};
 use crate::build::frame::unit;
 use crate::build::gather::Soup;
 use bytemuck::{Pod, Zeroable};
+use glam::{Vec3A, Vec4};
 
 /// The box of a triangle, in coordinates times `unit` from the scene's lowest corner on, and
 /// its place in the soup.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct Item {
-    pub lo: [f32; 3],
-    pub number: u32,
-    pub hi: [f32; 3],
-    pub reserved: u32,
+    lo: [f32; 3],
+    number: u32,
+    hi: [f32; 3],
+    reserved: u32,
+}
+
+/// In the fourth lanes of corners: they are normal numbers, as denormal ones would take long to
+/// compute with.
+const NORMAL: u32 = 1 << 30;
+
+impl Item {
+    /// Its triangle's place in the soup, below 2^30.
+    pub fn number(&self) -> u32 {
+        self.number & !NORMAL
+    }
+
+    /// The lower and the upper corner.
+    #[inline(always)]
+    pub fn corners(&self) -> (Vec3A, Vec3A) {
+        let halves: &[[f32; 4]; 2] = bytemuck::cast_ref(self);
+        (Vec3A::from_vec4(Vec4::from_array(halves[0])), Vec3A::from_vec4(Vec4::from_array(halves[1])))
+    }
 }
 
 /// Triangles of a task.
@@ -47,7 +66,8 @@ struct Frame {
 impl Frame {
     #[inline(always)]
     fn item(&self, triangle: &Triangle, number: u32) -> Item {
-        let mut item = Item { lo: [0.0; 3], number, hi: [0.0; 3], reserved: 0 };
+        let number = number | NORMAL;
+        let mut item = Item { lo: [0.0; 3], number, hi: [0.0; 3], reserved: NORMAL };
         for (k, [a, b, c]) in [triangle.x, triangle.y, triangle.z].into_iter().enumerate() {
             let least = |a: f32, b: f32| if a < b { a } else { b };
             let most = |a: f32, b: f32| if a > b { a } else { b };

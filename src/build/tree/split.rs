@@ -3,28 +3,72 @@
 use super::item::Item;
 use glam::Vec3A;
 
-/// Some items that lie together, and their box.
+/// Some items that lie together: their box, and that of their centres, twice as large.
 #[derive(Clone, Copy)]
 pub struct Part {
     pub lo: Vec3A,
     pub hi: Vec3A,
+    first: Vec3A,
+    last: Vec3A,
     pub len: usize,
 }
 
 impl Part {
     /// No items.
-    pub const EMPTY: Self = Self { lo: Vec3A::INFINITY, hi: Vec3A::NEG_INFINITY, len: 0 };
+    pub const EMPTY: Self = Self {
+        lo: Vec3A::INFINITY,
+        hi: Vec3A::NEG_INFINITY,
+        first: Vec3A::INFINITY,
+        last: Vec3A::NEG_INFINITY,
+        len: 0,
+    };
 
     pub fn of(items: &[Item]) -> Self {
         let mut part = Self::EMPTY;
-        for item in items {
-            part.add(Vec3A::from_array(item.lo), Vec3A::from_array(item.hi));
-        }
+        items.iter().for_each(|item| part.add(item));
         part
     }
 
     #[inline(always)]
-    fn add(&mut self, lo: Vec3A, hi: Vec3A) {
+    fn add(&mut self, item: &Item) {
+        let (lo, hi) = item.corners();
+        let centre = lo + hi;
+        *self = Self {
+            lo: self.lo.min(lo),
+            hi: self.hi.max(hi),
+            first: self.first.min(centre),
+            last: self.last.max(centre),
+            len: self.len + 1,
+        };
+    }
+
+    /// Half the surface of the box, which is not empty.
+    #[inline(always)]
+    pub fn surface(&self) -> f32 {
+        surface(self.lo, self.hi)
+    }
+}
+
+#[inline(always)]
+fn surface(lo: Vec3A, hi: Vec3A) -> f32 {
+    let side = hi - lo;
+    side.x * side.y + side.y * side.z + side.z * side.x
+}
+
+/// The items whose centres lie in a stretch of an axis: their box.
+#[derive(Clone, Copy)]
+struct Bin {
+    lo: Vec3A,
+    hi: Vec3A,
+    len: u32,
+}
+
+impl Bin {
+    const EMPTY: Self = Self { lo: Vec3A::INFINITY, hi: Vec3A::NEG_INFINITY, len: 0 };
+
+    #[inline(always)]
+    fn add(&mut self, item: &Item) {
+        let (lo, hi) = item.corners();
         *self = Self { lo: self.lo.min(lo), hi: self.hi.max(hi), len: self.len + 1 };
     }
 
@@ -34,27 +78,24 @@ impl Part {
         *self = Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi), len };
     }
 
-    /// Half the surface of the box, which is not empty.
-    #[inline(always)]
-    pub fn surface(&self) -> f32 {
-        let side = self.hi - self.lo;
-        side.x * side.y + side.y * side.z + side.z * side.x
-    }
-
-    /// What it costs to meet the triangles, times the chance to come there.
+    /// What it costs to meet the triangles, some of it whatever their number, times the chance
+    /// to come there.
     #[inline(always)]
     fn cost(&self) -> f32 {
-        if self.len == 0 { f32::INFINITY } else { self.surface() * (self.len + 3) as f32 }
+        if self.len == 0 { f32::INFINITY } else { surface(self.lo, self.hi) * (self.len + 3) as f32 }
     }
 }
 
 /// Most bins.
 pub const BINS: usize = 32;
 
-/// Twice the centre of a box.
-#[inline(always)]
-fn centre(item: &Item) -> Vec3A {
-    Vec3A::from_array(item.lo) + Vec3A::from_array(item.hi)
+/// Room for the bins of three axes, whatever they hold.
+pub struct Bins([[Bin; BINS]; 3]);
+
+impl Bins {
+    pub fn new() -> Self {
+        Self([[Bin::EMPTY; BINS]; 3])
+    }
 }
 
 /// Which bin a centre is in, on each axis.
@@ -68,7 +109,8 @@ struct Binning {
 impl Binning {
     #[inline(always)]
     fn bins(&self, item: &Item) -> [usize; 3] {
-        let at = ((centre(item) - self.low) * self.scale).min(self.last);
+        let (lo, hi) = item.corners();
+        let at = ((lo + hi - self.low) * self.scale).min(self.last);
         // Not negative and small: the low bits of a sum are the number, rounded; half is taken
         // off before.
         const WHOLE: f32 = 1.5 * (1 << 23) as f32;
@@ -77,10 +119,30 @@ impl Binning {
     }
 }
 
-/// Cuts `items`, more than one, in two that are not empty: at the
-/// cheapest border of `bins` bins, or halves them where there is none.
-pub fn split(items: &mut [Item], bins: usize) -> [Part; 2] {
-    match cheapest(items, bins.min(2 * items.len())) {
+/// How carefully splits are chosen.
+#[derive(Clone, Copy)]
+pub struct Care {
+    /// Bins of many items, at most [`BINS`].
+    pub bins: usize,
+    /// Items above which only the axis is looked at along which their centres lie farthest
+    /// apart.
+    pub few: usize,
+}
+
+impl Care {
+    pub const NORMAL: Self = Self { bins: 16, few: 32 };
+    pub const HIGH: Self = Self { bins: 32, few: usize::MAX };
+}
+
+/// Cuts the items of a part, more than one, in two that are not empty: at the cheapest border of
+/// bins or, where there is none or no care is taken, in the middle.
+pub fn split(
+    items: &mut [Item],
+    part: &Part,
+    care: Option<Care>,
+    bins: &mut Bins,
+) -> [Part; 2] {
+    match care.and_then(|care| cheapest(items, part, care, bins)) {
         Some((binning, axis, border)) => apart(items, &binning, axis, border),
         None => {
             let (a, b) = items.split_at(items.len() / 2);
@@ -90,44 +152,69 @@ pub fn split(items: &mut [Item], bins: usize) -> [Part; 2] {
 }
 
 /// The cheapest split: its axis and the last bin before it.
-fn cheapest(items: &[Item], bins: usize) -> Option<(Binning, usize, usize)> {
-    let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
-    for item in items {
-        let centre = centre(item);
-        (low, high) = (low.min(centre), high.max(centre));
-    }
-    let extent = high - low;
+fn cheapest(
+    items: &[Item],
+    part: &Part,
+    care: Care,
+    Bins(filled): &mut Bins,
+) -> Option<(Binning, usize, usize)> {
+    // Fewer bins for fewer items: what is done for a bin would take longer than the items.
+    let bins = care.bins.min(4 + items.len() / 4);
+    let extent = part.last - part.first;
     // An axis without extent has a single bin, which cannot be split.
     let scale = Vec3A::splat(bins as f32) / extent.max(Vec3A::splat(f32::MIN_POSITIVE));
     let scale = scale.min(Vec3A::splat(f32::MAX));
     let last = Vec3A::splat(bins as f32 - 0.5);
-    let binning = Binning { low, scale, last };
-    let mut filled = [[Part::EMPTY; BINS]; 3];
-    for item in items {
-        let (lo, hi) = (Vec3A::from_array(item.lo), Vec3A::from_array(item.hi));
-        let [x, y, z] = binning.bins(item);
-        filled[0][x].add(lo, hi);
-        filled[1][y].add(lo, hi);
-        filled[2][z].add(lo, hi);
-    }
-    let (mut best, mut least) = (None, f32::INFINITY);
-    for (axis, filled) in filled.iter().enumerate() {
-        let mut behind = [f32::INFINITY; BINS];
-        let mut sum = Part::EMPTY;
-        for i in (1..bins).rev() {
-            sum.join(&filled[i]);
-            behind[i] = sum.cost();
+    let binning = Binning { low: part.first, scale, last };
+    let mut best = Best { split: None, cost: f32::INFINITY };
+    if items.len() > care.few {
+        let axis = extent.max_position();
+        let filled = &mut filled[axis][..bins];
+        filled.fill(Bin::EMPTY);
+        for item in items {
+            filled[binning.bins(item)[axis]].add(item);
         }
-        let mut sum = Part::EMPTY;
-        for i in 0..bins.saturating_sub(1) {
-            sum.join(&filled[i]);
-            let cost = sum.cost() + behind[i + 1];
-            if cost < least {
-                (best, least) = (Some((binning, axis, i)), cost);
+        best.look(filled, axis);
+    } else {
+        filled.iter_mut().for_each(|axis| axis[..bins].fill(Bin::EMPTY));
+        for item in items {
+            let [x, y, z] = binning.bins(item);
+            filled[0][x].add(item);
+            filled[1][y].add(item);
+            filled[2][z].add(item);
+        }
+        for (axis, filled) in filled.iter().enumerate() {
+            best.look(&filled[..bins], axis);
+        }
+    }
+    best.split.map(|(axis, border)| (binning, axis, border))
+}
+
+/// The best border so far.
+struct Best {
+    split: Option<(usize, usize)>,
+    cost: f32,
+}
+
+impl Best {
+    /// Looks at the borders between the bins of an axis.
+    #[inline(always)]
+    fn look(&mut self, filled: &[Bin], axis: usize) {
+        let mut behind = [f32::INFINITY; BINS];
+        let mut sum = Bin::EMPTY;
+        for (cost, bin) in behind.iter_mut().zip(filled).skip(1).rev() {
+            sum.join(bin);
+            *cost = sum.cost();
+        }
+        let mut sum = Bin::EMPTY;
+        for (i, (bin, behind)) in filled.iter().zip(&behind[1..]).enumerate() {
+            sum.join(bin);
+            let cost = sum.cost() + behind;
+            if cost < self.cost {
+                *self = Self { split: Some((axis, i)), cost };
             }
         }
     }
-    best
 }
 
 /// Moves the items up to a bin before the others.
@@ -136,12 +223,11 @@ fn apart(items: &mut [Item], binning: &Binning, axis: usize, border: usize) -> [
     let (mut at, mut end) = (0, items.len());
     while at < end {
         let item = items[at];
-        let (lo, hi) = (Vec3A::from_array(item.lo), Vec3A::from_array(item.hi));
         if binning.bins(&item)[axis] <= border {
-            a.add(lo, hi);
+            a.add(&item);
             at += 1;
         } else {
-            b.add(lo, hi);
+            b.add(&item);
             end -= 1;
             items.swap(at, end);
         }

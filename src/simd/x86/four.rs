@@ -86,6 +86,32 @@ macro_rules! four_lanes {
             })
         }
         #[inline(always)]
+        fn mul_add_f64(self, a: __m256d, b: __m256d, c: __m256d) -> __m256d {
+            with!(_mm256_fmadd_pd(a, b, c))
+        }
+        #[inline(always)]
+        fn cross_f64(self, a: __m256d, b: __m256d, c: __m256d, d: __m256d) -> __m256d {
+            with!(_mm256_fmsub_pd(a, b, _mm256_mul_pd(c, d)))
+        }
+        #[inline(always)]
+        fn next_f64(self, a: __m256d) -> __m256d {
+            with!(_mm256_permute4x64_pd::<0b10_00_10_01>(a))
+        }
+        #[inline(always)]
+        fn with_first(self, a: __m256d, b: __m256d) -> __m256d {
+            with!(_mm256_blend_pd::<0b0001>(a, b))
+        }
+        #[inline(always)]
+        fn with_last(self, a: __m256d, b: __m256d) -> __m256d {
+            with!(_mm256_blend_pd::<0b1000>(a, _mm256_permute4x64_pd::<0>(b)))
+        }
+        #[inline(always)]
+        fn array_f64(self, a: __m256d) -> [f64; 4] {
+            let mut array = [0.0; 4];
+            with!(_mm256_storeu_pd(array.as_mut_ptr(), a));
+            array
+        }
+        #[inline(always)]
         fn highest3(self, a: __m256d) -> f64 {
             with!({
                 let (low, z) = (_mm256_castpd256_pd128(a), _mm256_extractf128_pd::<1>(a));
