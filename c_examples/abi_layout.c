@@ -193,6 +193,7 @@ static void print_scene_stats(void)
     FIELD(hug_scene_stats, level);
     FIELD(hug_scene_stats, total_share);
     FIELD(hug_scene_stats, level_share);
+    FIELD(hug_scene_stats, node_bytes);
 }
 
 static void print_level_shares(void)

@@ -42,6 +42,13 @@ fn fresh() -> Vec<(String, Vec<u8>)> {
         min_cluster: 2,
         ..hug::Options::default()
     };
+    let treed = hug::Options {
+        structure: hug::Structure::Recursive,
+        maxp: 8,
+        tree: true,
+        ..hug::Options::default()
+    };
+    all.push(("tree.hug".to_owned(), build(&mesh(), &treed).view().bytes().to_vec()));
     all.push(("turned.hug".to_owned(), build(&mesh(), &turned).view().bytes().to_vec()));
     all
 }

@@ -58,7 +58,7 @@ fn expected() -> Vec<String> {
         hug_scene_stats {
             struct_size, structure, levels, triangles, dropped_non_finite, dropped_degenerate,
             counts, reserved, bytes, triangle_bytes, grid_bytes, voxel_bytes, ref_bytes, total,
-            level, total_share, level_share,
+            level, total_share, level_share, node_bytes,
         }
         hug_level_shares {
             objects, objects_of_levels, grids, voxels, pointers, volume, bytes, object_voxels,

@@ -33,6 +33,7 @@ impl Setting {
             alpha: self.alpha,
             maxp: self.maxp,
             fill_up: true,
+            tree: true,
             ..Options::default()
         }
     }

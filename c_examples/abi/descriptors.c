@@ -143,13 +143,13 @@ static void check_flags(void)
 {
     fixture f;
     fixture_make(&f);
-    f.desc.flags = 16;
+    f.desc.flags = 32;
     REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
     f.desc.flags = HUG_BUILD_COMPACT | 0x80000000u;
     REFUSE(&f.desc, HUG_ERROR_INVALID_VALUE);
     f.desc.structure = HUG_STRUCTURE_RECURSIVE;
     f.desc.alpha = 0.5f;
-    f.desc.flags = HUG_BUILD_FILL_UP;
+    f.desc.flags = HUG_BUILD_FILL_UP | HUG_BUILD_TREE;
     hug_free(fixture_build(&f.desc));
 }
 

@@ -134,7 +134,9 @@ pub fn later(input: &mut Input<'_>, options: Options) -> Options {
     };
     let turn_below = input.one_of(&[options.turn_below, 1e6, 1.0]);
     let fill_up = input.below(2) != 0;
-    Options { gridding, overlap_power, clustering, orientation, turn_below, fill_up, ..options }
+    let tree = input.below(2) != 0;
+    let options = Options { gridding, overlap_power, clustering, orientation, ..options };
+    Options { turn_below, fill_up, tree, ..options }
 }
 
 /// Balls anywhere, of any size.

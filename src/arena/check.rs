@@ -4,12 +4,12 @@
 //! what `view` relies on, and that every walk ends: grids only point to later
 //! grids of lower level, whose numbers of entries (`walks`) add up.
 
-use super::tree;
 use super::layout::{
     ALIGN, BYTE_ORDER, COVERS, EMPTY, EXIT_BITS, EXIT_MAX, Frame, GRID, GRID_BIT, Grid, Header,
     LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TURNED, Triangle, VERSION,
     sections,
 };
+use super::tree;
 use crate::Error;
 use crate::geometry::MAX_TRIANGLES;
 use crate::options::{MAX_COUNT, MAX_LEVELS};

@@ -14,7 +14,8 @@ use core::marker::PhantomData;
 
 use super::check;
 use super::layout::{
-    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, Node, PARTS, PAYLOAD, Section, TAG_SHIFT, Triangle,
+    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, Node, PARTS, PAYLOAD, Section, TAG_SHIFT,
+    Triangle,
 };
 use crate::Error;
 use crate::simd::{Lanes, fpenv};

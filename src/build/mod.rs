@@ -52,8 +52,8 @@ pub use flatten::Plan;
 pub use survey::{Clusters, Survey};
 
 use crate::Error;
-use crate::geometry::{Geometry, count};
 use crate::arena::layout::{LEAF, Node};
+use crate::geometry::{Geometry, count};
 use crate::options::{Options, Quality, Structure};
 use crate::simd::fpenv;
 use capacity::Capacity;

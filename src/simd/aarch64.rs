@@ -185,6 +185,8 @@ impl Lanes for Neon {
             vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a), bytes))
         };
         fn signs(self, a: F32) -> u32 = bits(vcltzq_s32(vreinterpretq_s32_f32(a)), 7);
+        fn all_below(self, a: F32, b: f32) -> bool =
+            bits(vcaltq_f32(a, vdupq_n_f32(b)), 7) == 7;
         fn all_finite(self, a: F32) -> bool =
             vminvq_u32(vcltq_f32(vabsq_f32(a), vdupq_n_f32(f32::INFINITY))) != 0;
         fn equals(self, a: F32, b: F32) -> u32 = bits(vceqq_f32(a, b), 7);

@@ -96,6 +96,8 @@ pub(crate) trait Lanes: Copy + 'static {
     fn array_f32(self, a: Self::F32) -> [f32; 4];
     /// One bit for each of the first three lanes that is negative, -0 included.
     fn signs(self, a: Self::F32) -> u32;
+    /// Whether `|a| < b` in each of the first three lanes.
+    fn all_below(self, a: Self::F32, b: f32) -> bool;
     /// Whether no lane is infinite or NaN.
     fn all_finite(self, a: Self::F32) -> bool;
     /// One bit for each of the first three lanes in which `a == b`.

@@ -236,6 +236,10 @@ impl Lanes for Portable {
         (0..3).map(|k| a[k].to_bits() >> 31 << k).sum()
     }
     #[inline(always)]
+    fn all_below(self, a: [f32; 4], b: f32) -> bool {
+        (0..3).all(|k| a[k].abs() < b)
+    }
+    #[inline(always)]
     fn all_finite(self, a: [f32; 4]) -> bool {
         a.iter().all(|x| x.is_finite())
     }

@@ -3,16 +3,16 @@
 //!
 //! Boxes only say where not to look; `triangle` decides what is hit, as in a walk. Nodes are in
 //! coordinates times `unit`, from the lowest corner of the scene on, so that these are at most
-//! about 1, and the ray's parameter is tau as in a walk (`course`): t times a power of two, with which the direction's longest component is in
-//! [1, 2).
+//! about 1, and the ray's parameter, tau, is t times `unit`.
 //!
 //! No part of a hit is missed. With e = 2^-24 and o the origin's coordinate along an axis, the
 //! parameter of a plane p <= 2 is computed as p pace - o pace, with errors of at most e of
 //! pace's own, of o's rounding, of the product o pace, of the sum, each times (|o| + 2) |pace|,
 //! and of the addend's: 6 e (|o| + 2) |pace| in all. 16 e are subtracted where the ray enters
-//! and added where it leaves. A component of the direction below 2^-95 is taken for that, which
-//! moves the ray by less than 2^-83 where the origin is no farther than [`FAR`], as it is here:
-//! rays from farther away walk, and so do those of extremely long or short directions.
+//! and added where it leaves. A component of the direction below 2^-115 is taken for that, 2^-95
+//! of the longest or less, which moves the ray by less than 2^-83 where the origin is no farther
+//! than [`FAR`], as it is here: rays from farther away walk, and so do those whose directions
+//! are not between 1 / [`FASTEST`] and [`FASTEST`] long.
 
 use super::local::above;
 use super::query::{Query, beyond, visible};
@@ -24,22 +24,20 @@ use crate::simd::{Kernel, Lanes, Room, Stack};
 use crate::triangle::Line;
 
 /// Farthest origin along an axis, in units of about the scene's longest side.
-const FAR: f64 = 1024.0;
+const FAR: f32 = 1024.0;
 /// 16 e.
 const MARGIN: f32 = 1.0 / (1 << 20) as f32;
-/// The bits of an `f32`'s exponent.
-const EXPONENT: u32 = 0xff << 23;
-/// Those of the longest component of a direction: with 2^-100 to 2^100 nothing overflows.
-const POWERS: core::ops::Range<u32> = (127 - 100) << 23..(127 + 100) << 23;
-/// 2^-95.
-const LEAST_SPEED: f32 = f32::from_bits((127 - 95) << 23);
+/// Longest component of a direction; its reciprocal is the shortest that the longest can be.
+const FASTEST: f32 = (1 << 20) as f32;
+/// 2^-115.
+const LEAST_SPEED: f32 = f32::from_bits((127 - 115) << 23);
 /// Parts that wait: seven of each node on the way, and one.
 const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;
 
 /// A query on its way through the tree.
 pub(super) struct Descent<'a, Q, L: Lanes> {
     lanes: L,
-    sections: Sections<'a>,
+    view: &'a View<'a>,
     ray: &'a Ray,
     sieve: Sieve<'a>,
     /// Eight triangles from here on are the last of the scene.
@@ -81,28 +79,26 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     /// That of a ray that is known to be usable, in a scene with a tree; `None` for one that is
     /// to walk.
     #[inline(always)]
-    pub fn new(
-        l: L,
-        view: &View<'a>,
-        ray: &'a Ray,
-        query: Q,
-    ) -> Option<(Self, Slabs<L>)> {
+    pub fn new(l: L, view: &'a View<'a>, ray: &'a Ray, query: Q) -> Option<(Self, Slabs<L>)> {
         let [org, dir, _] = ray.rows();
         let (org, dir) = (l.load3(org), l.load3(dir));
         let header = view.header();
-        let power = l.first(l.highest(l.abs_f32(dir))).to_bits() & EXPONENT;
         let [lowest, highest] = header.corners();
         let (lowest, highest) = (l.load3(lowest), l.load3(highest));
-        let unit = l.splat_f64(header.unit);
-        let place = l.mul_f64(l.sub_f64(l.widen(org), l.widen(lowest)), unit);
-        if !POWERS.contains(&power) | l.any_beyond(place, FAR) {
+        let place = l.mul_f64(l.sub_f64(l.widen(org), l.widen(lowest)), l.splat_f64(header.unit));
+        let place = l.narrow(place);
+        let speed = l.abs_f32(dir);
+        // One branch; NaN fails the comparisons. No t is infinite.
+        let suits = l.all_below(place, FAR)
+            & l.all_below(dir, FASTEST)
+            & (l.first(l.highest(speed)) > 1.0 / FASTEST)
+            & (ray.tmin <= ray.tmax)
+            & (ray.tmin < f32::INFINITY)
+            & (ray.tmax > f32::NEG_INFINITY);
+        if !suits {
             return None;
         }
-        let inverse = f32::from_bits((254 << 23) - power);
-        let per_t = header.unit * f64::from(f32::from_bits(power));
-        let speed = l.abs_f32(l.mul_f32(dir, l.splat_f32(inverse)));
         let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
-        let place = l.narrow(place);
         let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
         let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
         let pace = l.sign_f32(pace, dir);
@@ -111,6 +107,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         let leave = l.array_f32(l.add_f32(at, room));
         let pace = l.array_f32(pace);
         let signs = l.signs(dir);
+        let per_t = header.unit;
         let from = -above(beyond(-ray.tmin) * per_t);
         let slabs = Slabs {
             pace: each!(k => l.splat_wide(pace[k])),
@@ -120,12 +117,11 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
             near: each!(k => Row::new(k, signs >> k & 1 != 0)),
             far: each!(k => Row::new(k, signs >> k & 1 == 0)),
         };
-        let sections = view.sections();
         let descent = Self {
             lanes: l,
-            sections,
+            view,
             ray,
-            sieve: Sieve::new(l, &sections, ray, [org, dir], [lowest, highest]),
+            sieve: Sieve::new(l, &view.sections(), ray, [org, dir], [lowest, highest]),
             last: header.triangles.count as u32 - LEAF,
             per_t,
             to: above(beyond(ray.tmax) * per_t),
@@ -150,13 +146,16 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         }
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
+        let sections = self.view.sections();
         let mut part = NODE;
         loop {
             while part & NODE == NODE {
                 let number = part >> PART_SHIFT;
-                let (met, entries) = slabs.meet(self.lanes, &self.sections, number, self.to);
-                let node = self.sections.node(number);
-                let Some(next) = self.choose(node, met, entries, &mut waiting) else { return };
+                let (met, entries) = slabs.meet(self.lanes, &sections, number, self.to);
+                let node = sections.node(number);
+                let Some(next) = self.choose(&sections, node, met, entries, &mut waiting) else {
+                    return;
+                };
                 part = next;
             }
             if self.leaf(part >> PART_SHIFT, part & NODE) {
@@ -172,6 +171,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     #[inline(always)]
     fn choose(
         &self,
+        sections: &Sections<'_>,
         node: &Node,
         mut met: u32,
         entries: [L::Wide; 2],
@@ -186,17 +186,17 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
             return Some(node.parts[first]);
         }
         let entries = &self.array(entries);
-        let mut nearest = self.entry(node, entries, first);
+        let mut nearest = self.entry(sections, node, entries, first);
         let second = met.trailing_zeros() as usize;
         met &= met - 1;
         let base = waiting.len();
-        let other = self.entry(node, entries, second);
+        let other = self.entry(sections, node, entries, second);
         waiting.push(nearest.max(other));
         nearest = nearest.min(other);
         while met != 0 {
             let i = met.trailing_zeros() as usize;
             met &= met - 1;
-            let other = self.entry(node, entries, i);
+            let other = self.entry(sections, node, entries, i);
             waiting.insert(base, nearest.max(other));
             nearest = nearest.min(other);
         }
@@ -215,13 +215,13 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
 
     /// A part that is to wait: where the ray enters it, for the order, and its word.
     #[inline(always)]
-    fn entry(&self, node: &Node, entries: &[f32; PARTS], i: usize) -> u64 {
+    fn entry(&self, sections: &Sections<'_>, node: &Node, entries: &[f32; PARTS], i: usize) -> u64 {
         let part = node.parts[i];
         let place = part >> PART_SHIFT;
         if part & NODE == NODE {
-            self.sections.fetch_node(self.lanes, place);
+            sections.fetch_node(self.lanes, place);
         } else {
-            self.sections.fetch_leaf(self.lanes, place);
+            sections.fetch_leaf(self.lanes, place);
         }
         u64::from(entries[i].to_bits()) << 32 | u64::from(part)
     }
@@ -266,11 +266,12 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     /// The exact test of what the sieve let through.
     #[inline(always)]
     fn decide(&mut self, number: u32) -> bool {
-        let triangle = self.sections.triangle(number);
+        let triangle = self.view.sections().triangle(number);
         if !visible(self.ray, triangle) {
             return false;
         }
-        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number) else {
+        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number)
+        else {
             return false;
         };
         let limit = self.query.limit();

@@ -26,15 +26,15 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     const BEST: Isa = best::<C>();
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
-        if !usable(lanes, self.ray) {
-            return Q::miss(self.ray);
-        }
         if !C::COUNTS
             && self.view.header().nodes.count > 0
             && let Some((mut descent, slabs)) = Descent::new(lanes, self.view, self.ray, self.query)
         {
             descent.run(&slabs, self.view.header().occluders());
             return descent.query.found(&self.view.sections(), self.ray);
+        }
+        if !usable(lanes, self.ray) {
+            return Q::miss(self.ray);
         }
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
         walk.run(self.view.header().occluders());

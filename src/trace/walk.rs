@@ -291,7 +291,8 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         if !visible(self.ray, triangle) {
             return false;
         }
-        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number) else {
+        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number)
+        else {
             return false;
         };
         self.counters.hit();

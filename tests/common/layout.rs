@@ -4,7 +4,7 @@
 use super::aligned::Aligned;
 use std::ops::Range;
 
-pub const HEADER: usize = 256;
+pub const HEADER: usize = 320;
 
 /// Places in the header.
 pub const BYTE_ORDER: usize = 8;
@@ -26,6 +26,15 @@ pub const OCCLUDERS: Range<usize> = 208..240;
 /// A section too, behind the others.
 pub const FRAMES: usize = 240;
 pub const FRAME: usize = 128;
+/// And another; eight-byte words of zeros follow.
+pub const NODES: usize = 256;
+pub const RESERVED: Range<usize> = 272..320;
+pub const NODE: usize = 256;
+/// Places in a node: the words of its eight parts, and eight of zeros.
+pub const PARTS: Range<usize> = 192..224;
+pub const UNUSED: Range<usize> = 224..256;
+/// In the low bits of a part's word: it is a node, not so many triangles.
+pub const IS_NODE: u32 = 15;
 
 /// Places in a grid: three numbers of eight, four, four and two bytes.
 pub const LO: usize = 0;
@@ -90,7 +99,11 @@ pub fn count(bytes: &[u8], section: usize) -> usize {
 
 /// Where a record of a section is.
 pub fn record(bytes: &[u8], section: usize, number: usize) -> usize {
-    let size = if section == FRAMES { FRAME } else { RECORDS[(section - GRIDS) / 16] };
+    let size = match section {
+        FRAMES => FRAME,
+        NODES => NODE,
+        _ => RECORDS[(section - GRIDS) / 16],
+    };
     get64(bytes, section) as usize + number * size
 }
 
@@ -149,7 +162,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
     let mut bytes = Aligned::filled(end, 0);
     bytes[..8].copy_from_slice(b"hug-rt\r\n");
     put32(&mut bytes, BYTE_ORDER, 0x0102_0304);
-    put32(&mut bytes, VERSION, 4);
+    put32(&mut bytes, VERSION, 5);
     put_f64(&mut bytes, UNIT, 1.0);
     put64(&mut bytes, BYTES, end as u64);
     put32(&mut bytes, STRUCTURE, 3);
@@ -159,6 +172,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
         put64(&mut bytes, SECTIONS[i] + 8, counts[i] as u64);
     }
     put64(&mut bytes, FRAMES, end as u64);
+    put64(&mut bytes, NODES, end as u64);
     let mut next = 0;
     for number in 0..grids {
         let depth = number.div_ceil(width);

@@ -10,7 +10,7 @@ pub mod native;
 
 use hug::{
     Clustering, Delta, Error, Filter, Geometry, Gridding, Hierarchy, Hit, Options, Orientation,
-    Ray, Scene, Structure,
+    Quality, Ray, Scene, Structure,
 };
 use hug_kit::random::Random;
 use hug_kit::{Bounds, Mesh, rays, soups};
@@ -62,6 +62,11 @@ pub fn configurations() -> Vec<(&'static str, Options)> {
         ("g", of(Structure::Uniform)),
         ("g homogeneous", Options { gridding: Gridding::Homogeneous, ..of(Structure::Uniform) }),
         ("g 8", Options { counts: [8; 3], max_refs: 4096, ..of(Structure::Uniform) }),
+        ("g tree", Options { tree: true, ..of(Structure::Uniform) }),
+        (
+            "r4 tree",
+            Options { maxp: 4, tree: true, quality: Quality::High, ..of(Structure::Recursive) },
+        ),
         ("g fine", Options { alpha: 3.0, max_refs: 256, ..of(Structure::Uniform) }),
         ("r4", Options { maxp: 4, ..of(Structure::Recursive) }),
         ("r4 filled", Options { maxp: 4, alpha: 0.5, fill_up: true, ..of(Structure::Recursive) }),

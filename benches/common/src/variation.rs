@@ -21,6 +21,7 @@ pub struct Variation {
     exit_boxes: Option<bool>,
     maxp: Option<u32>,
     fill_up: Option<bool>,
+    tree: Option<bool>,
 }
 
 const CLUSTERINGS: [(&str, Clustering); 2] =
@@ -47,8 +48,10 @@ const STEPS: [(&str, bool); 2] = [("exit", true), ("plain", false)];
 
 const CROWDED: [(&str, bool); 2] = [("fill", true), ("unfilled", false)];
 
+const TREES: [(&str, bool); 2] = [("tree", true), ("treeless", false)];
+
 const FORMS: &str = "projections, components, proportional, homogeneous, overlap, mixed, nested, \
-                     paper, aligned, vertices, hull, search, exit, plain, fill, unfilled, or power, \
+                     paper, aligned, vertices, hull, search, exit, plain, fill, unfilled, tree, treeless, or power, \
                      min, share, alpha, world, turn, maxp = a number";
 
 fn of<T: Copy>(list: &[(&str, T)], name: &str) -> Option<T> {
@@ -84,6 +87,7 @@ impl Variation {
             exit_boxes: self.exit_boxes.unwrap_or(options.exit_boxes),
             maxp: self.maxp.unwrap_or(options.maxp),
             fill_up: self.fill_up.unwrap_or(options.fill_up),
+            tree: self.tree.unwrap_or(options.tree),
             ..options
         }
     }
@@ -96,12 +100,14 @@ impl Variation {
             self.orientation = of(&ORIENTATIONS, item).or(self.orientation);
             self.exit_boxes = of(&STEPS, item).or(self.exit_boxes);
             self.fill_up = of(&CROWDED, item).or(self.fill_up);
+            self.tree = of(&TREES, item).or(self.tree);
             let known = of(&CLUSTERINGS, item).is_some()
                 || of(&GRIDDINGS, item).is_some()
                 || of(&HIERARCHIES, item).is_some()
                 || of(&ORIENTATIONS, item).is_some()
                 || of(&STEPS, item).is_some()
-                || of(&CROWDED, item).is_some();
+                || of(&CROWDED, item).is_some()
+                || of(&TREES, item).is_some();
             return known.then_some(());
         };
         let plain = value.bytes().all(|b| b.is_ascii_digit() || b == b'.');
@@ -144,6 +150,7 @@ impl fmt::Display for Variation {
             self.orientation.map(|o| name(&ORIENTATIONS, &o)),
             self.exit_boxes.map(|e| name(&STEPS, &e)),
             self.fill_up.map(|f| name(&CROWDED, &f)),
+            self.tree.map(|t| name(&TREES, &t)),
         ];
         words.into_iter().flatten().try_for_each(|word| write!(f, "+{word}"))?;
         for (key, count) in [("min", self.min_cluster), ("maxp", self.maxp)] {

@@ -33,7 +33,10 @@ impl Item {
     #[inline(always)]
     pub fn corners(&self) -> (Vec3A, Vec3A) {
         let halves: &[[f32; 4]; 2] = bytemuck::cast_ref(self);
-        (Vec3A::from_vec4(Vec4::from_array(halves[0])), Vec3A::from_vec4(Vec4::from_array(halves[1])))
+        (
+            Vec3A::from_vec4(Vec4::from_array(halves[0])),
+            Vec3A::from_vec4(Vec4::from_array(halves[1])),
+        )
     }
 }
 

@@ -82,7 +82,11 @@ impl Bin {
     /// to come there.
     #[inline(always)]
     fn cost(&self) -> f32 {
-        if self.len == 0 { f32::INFINITY } else { surface(self.lo, self.hi) * (self.len + 3) as f32 }
+        if self.len == 0 {
+            f32::INFINITY
+        } else {
+            surface(self.lo, self.hi) * (self.len + 3) as f32
+        }
     }
 }
 
@@ -136,12 +140,7 @@ impl Care {
 
 /// Cuts the items of a part, more than one, in two that are not empty: at the cheapest border of
 /// bins or, where there is none or no care is taken, in the middle.
-pub fn split(
-    items: &mut [Item],
-    part: &Part,
-    care: Option<Care>,
-    bins: &mut Bins,
-) -> [Part; 2] {
+pub fn split(items: &mut [Item], part: &Part, care: Option<Care>, bins: &mut Bins) -> [Part; 2] {
     match care.and_then(|care| cheapest(items, part, care, bins)) {
         Some((binning, axis, border)) => apart(items, &binning, axis, border),
         None => {
@@ -159,7 +158,7 @@ fn cheapest(
     Bins(filled): &mut Bins,
 ) -> Option<(Binning, usize, usize)> {
     // Fewer bins for fewer items: what is done for a bin would take longer than the items.
-    let bins = care.bins.min(4 + items.len() / 4);
+    let bins = care.bins.min(3 + items.len() / 8);
     let extent = part.last - part.first;
     // An axis without extent has a single bin, which cannot be split.
     let scale = Vec3A::splat(bins as f32) / extent.max(Vec3A::splat(f32::MIN_POSITIVE));

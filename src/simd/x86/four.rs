@@ -225,6 +225,13 @@ macro_rules! four_lanes {
             with!(_mm_movemask_ps(a)) as u32 & 7
         }
         #[inline(always)]
+        fn all_below(self, a: __m128, b: f32) -> bool {
+            with!({
+                let size = _mm_andnot_ps(_mm_set1_ps(-0.0), a);
+                _mm_movemask_ps(_mm_cmplt_ps(size, _mm_set1_ps(b))) & 7 == 7
+            })
+        }
+        #[inline(always)]
         fn all_finite(self, a: __m128) -> bool {
             with!({
                 let size = _mm_andnot_ps(_mm_set1_ps(-0.0), a);

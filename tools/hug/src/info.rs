@@ -37,6 +37,7 @@ fn sections(stats: &Stats) {
         ("grids", stats.grid_bytes),
         ("voxels", stats.voxel_bytes),
         ("references", stats.ref_bytes),
+        ("tree of boxes", stats.node_bytes),
     ];
     let rest = stats.bytes - listed.iter().map(|section| section.1).sum::<u64>();
     for (name, bytes) in listed.into_iter().chain([("header, gaps", rest), ("all", stats.bytes)]) {
