@@ -101,6 +101,9 @@ fn bound(n: usize, options: &Options) -> f64 {
         sum += fill(refs, inner * refs + refs) + refs;
         voxels += 2.0 * inner * n + refs;
     }
+    if options.tree {
+        sum += n * (37.0 + n.log2());
+    }
     // Voxels and lists written, and voxels read again.
     sum + 4.0 * voxels + 2.0 * refs
 }
@@ -116,7 +119,9 @@ fn work_is_in_proportion_to_triangles() {
                 let fill_up = true;
                 ("filled", Options { structure, alpha, maxp, fill_up, ..Options::default() })
             });
-            for (kind, options) in structures().into_iter().chain(section_7()).chain(filled) {
+            let tree = Options { structure: Structure::Uniform, tree: true, ..Options::default() };
+            let others = filled.into_iter().chain([("tree", tree)]);
+            for (kind, options) in structures().into_iter().chain(section_7()).chain(others) {
                 let (work, bytes) = watch(&mesh, &options);
                 let sizes = measure_count(n, &options);
                 let most = bound(n, &options);

@@ -236,7 +236,7 @@ fn work_is_bounded_where_no_split_is_good() {
         let without = Options { tree: false, ..options() };
         Scene::build_with(&soup, &without, &mut control).expect("a scene");
         let n = mesh.indices.len() as u64;
-        let most = 3 * n * (36 + u64::from(n.ilog2()));
+        let most = n * (36 + u64::from(n.ilog2()));
         assert!(with <= control.work() + n + most, "{name}: {with}");
     }
 }

@@ -2,12 +2,12 @@
 //! of eight parts and leaves of up to eight triangles.
 //!
 //! Splits are those of least expected cost by surface area (MacDonald & Booth 1990) among
-//! the borders of a few bins (Wald 2007). A node is split at the part of the largest surface until it has
-//! eight parts. Level by level, a node is a task: its triangles lie together, and those of a
+//! the borders of a few bins (Wald 2007). A node is split at the part of the largest surface
+//! until it has eight parts. Level by level, a node is a task: its triangles lie together, and those of a
 //! level in the order of its nodes. Numbers are given between levels, so the tree does not
 //! depend on who did what. Where it becomes deep, triangles are halved instead, so that its
-//! depth, and with it the work, is bounded: `n` triangles take at most [`CHOSEN`] + log n
-//! passes over all of them.
+//! depth, and with it the work, is bounded: there are at most [`CHOSEN`] + log2 n levels, and of
+//! each a triangle is in at most seven splits.
 
 mod item;
 mod split;
@@ -132,7 +132,7 @@ fn split_level(
             *node = split_node(items, (start + some.start) as u32, care, &mut bins);
         }
     })?;
-    control.count(3 * all);
+    control.count(all);
     Ok(())
 }
 

@@ -17,6 +17,9 @@ pub(crate) trait Lanes: Copy + 'static {
     /// [`Lanes::WIDE`] `u32`.
     type Words: Copy;
     const WIDE: usize;
+    /// Whether lanes are registers. Where they are arrays, what only saves time elsewhere is left
+    /// out, as it would be much code.
+    const REGISTERS: bool = true;
 
     /// Brings what `at` points to closer, if that is quicker; reads nothing.
     #[inline(always)]

@@ -38,6 +38,7 @@ impl Lanes for Portable {
     type Wide = [f32; 4];
     type Words = [u32; 4];
     const WIDE: usize = 4;
+    const REGISTERS: bool = false;
 
     /// Not inlined: its stack would be taken where another instruction set is in use.
     #[inline(never)]

@@ -31,6 +31,8 @@ const MARGIN: f32 = 1.0 / (1 << 20) as f32;
 const FASTEST: f32 = (1 << 20) as f32;
 /// 2^-115.
 const LEAST_SPEED: f32 = f32::from_bits((127 - 115) << 23);
+/// Flipped, it lets what is entered before the ray begins come first: where its origin is.
+const SIGN: u32 = 1 << 31;
 /// Parts that wait: seven of each node on the way, and one.
 const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;
 
@@ -223,7 +225,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         } else {
             sections.fetch_leaf(self.lanes, place);
         }
-        u64::from(entries[i].to_bits()) << 32 | u64::from(part)
+        u64::from(entries[i].to_bits() ^ SIGN) << 32 | u64::from(part)
     }
 
     /// The next part that waits and is not behind what was found.
@@ -231,7 +233,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     fn next(&self, waiting: &mut Stack<'_, WAITING>) -> Option<u32> {
         loop {
             let entry = waiting.pop()?;
-            if f32::from_bits((entry >> 32) as u32) <= self.to {
+            if f32::from_bits((entry >> 32) as u32 ^ SIGN) <= self.to {
                 return Some(entry as u32);
             }
         }

@@ -116,6 +116,9 @@ impl Query for Closest {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool> {
+        if !L::REGISTERS {
+            return self.meet(line, triangle, number);
+        }
         let met = line.meet_in(l, triangle, self.limit)?;
         if self.prefers(&met, triangle) {
             self.take(met, triangle, number, normal(triangle));
@@ -172,8 +175,11 @@ impl Query for Any {
         l: L,
         line: &Line,
         triangle: &Triangle,
-        _: u32,
+        number: u32,
     ) -> Option<bool> {
+        if !L::REGISTERS {
+            return self.meet(line, triangle, number);
+        }
         self.found = line.pierces_in(l, triangle, self.tmax);
         self.found.then_some(true)
     }

@@ -198,6 +198,9 @@ fn misses<L: Lanes>(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> u32
     let beside = l.misses([most, error], minus_least, [zero, zero], [zero, zero]);
     let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
     let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
+    if !L::REGISTERS {
+        return beside | l.misses([zero, zero], zero, [far, lo], [near, hi]);
+    }
     // The hit's z times the determinant, and the determinant, of which each product is a weight.
     let det = l.add_wide(l.add_wide(ab, bc), ca);
     let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));

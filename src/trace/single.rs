@@ -1,6 +1,6 @@
 //! One ray at a time.
 
-use super::counters::{Count, Counters, Uncounted, best};
+use super::counters::{Count, Counters, Uncounted};
 use super::descent::Descent;
 use super::profile::Profile;
 use super::query::{Any, Closest, Query, usable, visible};
@@ -23,22 +23,40 @@ struct Single<'a, Q, C> {
 
 impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     type Out = Q::Out;
-    const BEST: Isa = best::<C>();
+    const BEST: Isa = Isa::Avx2;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
-        if !C::COUNTS
-            && self.view.header().nodes.count > 0
-            && let Some((mut descent, slabs)) = Descent::new(lanes, self.view, self.ray, self.query)
-        {
-            descent.run(&slabs, self.view.header().occluders());
-            return descent.query.found(&self.view.sections(), self.ray);
-        }
         if !usable(lanes, self.ray) {
             return Q::miss(self.ray);
         }
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
         walk.run(self.view.header().occluders());
         walk.query.found(&self.view.sections(), self.ray)
+    }
+}
+
+/// A query of one ray in a scene that has a tree; `None` if the ray is to walk.
+struct Down<'a, Q> {
+    view: &'a View<'a>,
+    ray: &'a Ray,
+    query: Q,
+}
+
+impl<Q: Query> AnyKernel for Down<'_, Q> {
+    type Out = Option<Q::Out>;
+    const BEST: Isa = Isa::Avx2;
+    #[inline(always)]
+    fn run_on<L: Lanes>(self, lanes: L) -> Option<Q::Out> {
+        let Self { view, ray, query } = self;
+        let (mut descent, slabs) = Descent::new(lanes, view, ray, query)?;
+        descent.run(&slabs, view.header().occluders());
+        Some(descent.query.found(&view.sections(), ray))
+    }
+
+    // As with streams: where another set is nearly always there, this would be but size.
+    #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
+    fn run_portable(self) -> Option<Q::Out> {
+        None
     }
 }
 
@@ -85,6 +103,12 @@ impl View<'_> {
         fpenv::with_default(|| {
             if self.header().triangles.count <= FEW && !C::COUNTS {
                 return self.among_all::<Q>(ray);
+            }
+            if self.header().nodes.count > 0 && !C::COUNTS {
+                let down = dispatch(Down { view: self, ray, query: Q::new(ray) });
+                if let Some(found) = down {
+                    return found;
+                }
             }
             let counters = &mut counters.meter();
             dispatch(Single { view: self, ray, query: Q::new(ray), counters })
