@@ -15,13 +15,12 @@
 //! are not between 1 / [`FASTEST`] and [`FASTEST`] long.
 
 use super::local::above;
-use super::query::{Query, beyond, visible};
+use super::query::{Query, beyond, decide};
 use super::sieve::Sieve;
 use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS};
 use crate::arena::{Row, Sections, View};
 use crate::ray::Ray;
-use crate::simd::{Kernel, Lanes, Room, Stack};
-use crate::triangle::Line;
+use crate::simd::{Lanes, Room, Stack};
 
 /// Farthest origin along an axis, in units of about the scene's longest side.
 const FAR: f32 = 1024.0;
@@ -48,20 +47,6 @@ pub(super) struct Descent<'a, Q, L: Lanes> {
     /// No tau above it is of interest.
     to: f32,
     pub query: Q,
-}
-
-/// [`Descent::decide`], compiled for the descent's instruction set.
-struct Decide<'d, 'a, Q, L: Lanes> {
-    descent: &'d mut Descent<'a, Q, L>,
-    number: u32,
-}
-
-impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, '_, Q, L> {
-    type Out = bool;
-    #[inline(always)]
-    fn run(self, _: L) -> bool {
-        self.descent.decide(self.number)
-    }
 }
 
 /// A ray as boxes want it, a number for each axis in all lanes.
@@ -139,7 +124,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
             for few in occluders.chunks(L::WIDE) {
                 let mut left = self.sieve.pass(self.lanes, few);
                 while left != 0 {
-                    if self.decide_apart(few[left.trailing_zeros() as usize]) {
+                    if self.decide(few[left.trailing_zeros() as usize]) {
                         return;
                     }
                     left &= left - 1;
@@ -185,6 +170,15 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         let first = met.trailing_zeros() as usize;
         met &= met - 1;
         if met == 0 {
+            return Some(node.parts[first]);
+        }
+        if Q::ANY {
+            // Any hit will do: what is nearer need not be met first.
+            while met != 0 {
+                let i = met.trailing_zeros() as usize;
+                met &= met - 1;
+                waiting.push(self.entry(sections, node, &[f32::NEG_INFINITY; PARTS], i));
+            }
             return Some(node.parts[first]);
         }
         let entries = &self.array(entries);
@@ -250,7 +244,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         }
         left &= !(u32::MAX << count) << (first - start);
         while left != 0 {
-            if self.decide_apart(start + left.trailing_zeros()) {
+            if self.decide(start + left.trailing_zeros()) {
                 return true;
             }
             left &= left - 1;
@@ -258,22 +252,11 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         false
     }
 
-    /// [`Descent::decide`]; cold, so that registers are not spilled where there is nothing to
-    /// decide.
-    #[cold]
-    fn decide_apart(&mut self, number: u32) -> bool {
-        self.lanes.run(Decide { descent: self, number })
-    }
-
     /// The exact test of what the sieve let through.
     #[inline(always)]
     fn decide(&mut self, number: u32) -> bool {
         let triangle = self.view.sections().triangle(number);
-        if !visible(self.ray, triangle) {
-            return false;
-        }
-        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number)
-        else {
+        let Some(enough) = decide(self.lanes, &mut self.query, self.ray, triangle, number) else {
             return false;
         };
         let limit = self.query.limit();

@@ -3,7 +3,7 @@
 use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray};
-use crate::simd::Lanes;
+use crate::simd::{Kernel, Lanes};
 use crate::triangle::{Apex, Line, Met, normal};
 
 /// What a walk looks for.
@@ -188,6 +188,40 @@ impl Query for Any {
     fn found(&self, _: &Sections<'_>, _: &Ray) -> bool {
         self.found
     }
+}
+
+/// The exact test of a triangle, compiled for an instruction set.
+struct Decide<'q, Q> {
+    query: &'q mut Q,
+    ray: &'q Ray,
+    triangle: &'q Triangle,
+    number: u32,
+}
+
+impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, Q> {
+    type Out = Option<bool>;
+    #[inline(always)]
+    fn run(self, l: L) -> Option<bool> {
+        let Self { query, ray, triangle, number } = self;
+        if !visible(ray, triangle) {
+            return None;
+        }
+        query.meet_in(l, &Line::new(ray), triangle, number)
+    }
+}
+
+/// [`Query::meet_in`], if the ray may meet the triangle. Cold, and one function for all who ask,
+/// so that registers are not spilled where there is nothing to decide, and the library is smaller.
+#[cold]
+#[inline(never)]
+pub(super) fn decide<Q: Query, L: Lanes>(
+    l: L,
+    query: &mut Q,
+    ray: &Ray,
+    triangle: &Triangle,
+    number: u32,
+) -> Option<bool> {
+    l.run(Decide { query, ray, triangle, number })
 }
 
 /// A number above which every parameter rounds to more than `limit`, which is

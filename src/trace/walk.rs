@@ -18,13 +18,12 @@ use super::counters::Count;
 use super::course::Course;
 use super::decided::Decided;
 use super::local::{Boxes, Local, Span};
-use super::query::{Query, beyond, visible};
+use super::query::{Query, beyond, decide};
 use super::sieve::{Sieve, chunk};
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
 use crate::ray::Ray;
 use crate::simd::{Kernel, Lanes};
-use crate::triangle::Line;
 
 /// References up to which a list is sieved as it is: for a ray alone, looking at boxes
 /// first takes longer.
@@ -82,20 +81,6 @@ impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Long<'_, '_, Q, C, L> {
     #[inline(always)]
     fn run(self, _: L) -> Met {
         self.walk.long(self.place, self.boxes, self.taus)
-    }
-}
-
-/// [`Walk::decide`], likewise.
-struct Decide<'w, 'a, Q, C, L: Lanes> {
-    walk: &'w mut Walk<'a, Q, C, L>,
-    number: u32,
-}
-
-impl<Q: Query, C: Count, L: Lanes> Kernel<L> for Decide<'_, '_, Q, C, L> {
-    type Out = bool;
-    #[inline(always)]
-    fn run(self, _: L) -> bool {
-        self.walk.decide(self.number)
     }
 }
 
@@ -267,7 +252,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
                 let number = few[left.trailing_zeros() as usize];
                 left &= left - 1;
                 if self.decided.is_due::<C>(number) {
-                    if self.decide_apart(number) {
+                    if self.decide(number) {
                         return Met::Enough;
                     }
                     met = Met::Something;
@@ -277,22 +262,11 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         met
     }
 
-    /// [`Walk::decide`]; cold, so that the walk's registers are not spilled where
-    /// there is nothing to decide.
-    #[cold]
-    fn decide_apart(&mut self, number: u32) -> bool {
-        self.lanes.run(Decide { walk: self, number })
-    }
-
     /// The exact test of what the sieve let through.
     #[inline(always)]
     fn decide(&mut self, number: u32) -> bool {
         let triangle = self.sections.triangle(number);
-        if !visible(self.ray, triangle) {
-            return false;
-        }
-        let Some(enough) = self.query.meet_in(self.lanes, &Line::new(self.ray), triangle, number)
-        else {
+        let Some(enough) = decide(self.lanes, &mut self.query, self.ray, triangle, number) else {
             return false;
         };
         self.counters.hit();

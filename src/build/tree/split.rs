@@ -197,7 +197,7 @@ struct Best {
 
 impl Best {
     /// Looks at the borders between the bins of an axis.
-    #[inline(always)]
+    #[inline(never)]
     fn look(&mut self, filled: &[Bin], axis: usize) {
         let mut behind = [f32::INFINITY; BINS];
         let mut sum = Bin::EMPTY;

@@ -1,7 +1,7 @@
 //! What rays meet in their voxels: the boxes of lists, then pairs of a ray and a triangle.
 
 use super::super::counters::Uncounted;
-use super::super::query::{Query, visible};
+use super::super::query::{Query, decide};
 use super::super::sieve::Sieve;
 use super::columns::SLOTS;
 use super::flight::Grids;
@@ -9,7 +9,6 @@ use super::pairs::Pairs;
 use super::round::{Rounds, Slots};
 use crate::arena::layout::{GRID_BIT, LIST_HEAD};
 use crate::simd::{Kernel, Lanes};
-use crate::triangle::Line;
 
 /// How many triangles of a row of boxes to fetch: more are seldom met.
 const FETCH: usize = 2;
@@ -141,10 +140,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             return;
         }
         let triangle = self.sections.triangle(number);
-        if !visible(&flight.ray, triangle) {
-            return;
-        }
-        if let Some(enough) = flight.query.meet(&Line::new(&flight.ray), triangle, number) {
+        if let Some(enough) = decide(self.lanes, &mut flight.query, &flight.ray, triangle, number) {
             self.sets.done |= u32::from(enough) << slot;
             if Q::ANY && enough {
                 self.recent.keep(number);

@@ -3,7 +3,7 @@
 use super::super::counters::Uncounted;
 use super::super::course::{Course, Mirror};
 use super::super::local::Local;
-use super::super::query::{Query, beyond, usable, visible};
+use super::super::query::{Query, beyond, decide, usable};
 use super::super::sieve::Sieve;
 use super::super::turned::{Turned, turned};
 use super::columns::SLOTS;
@@ -12,7 +12,6 @@ use super::round::{Rounds, Slots};
 use crate::arena::layout::{GRID_BIT, TURNED};
 use crate::ray::Ray;
 use crate::simd::{Kernel, Lanes};
-use crate::triangle::Line;
 
 /// Slots whose rays leave their grids, are to be loaded, or enter the grids that they are
 /// to enter: a bit each.
@@ -169,8 +168,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
                     left &= left - 1;
                     let triangle = self.sections.triangle(number);
                     if flight.decided.is_due::<Uncounted>(number)
-                        && visible(&flight.ray, triangle)
-                        && flight.query.meet(&Line::new(&flight.ray), triangle, number)
+                        && decide(self.lanes, &mut flight.query, &flight.ray, triangle, number)
                             == Some(true)
                     {
                         if list == Hiding::Recent {
