@@ -8,19 +8,20 @@ use common::aligned::Aligned;
 use common::layout::*;
 use common::{adversarial_rays, assert_same, build, is_damage, ray};
 use hug::build::Control;
-use hug::{Error, Options, Quality, Ray, Scene, Stats, Structure, View};
+use hug::{Counters, Error, Options, Quality, Ray, Scene, Stats, Structure, View};
 use hug_kit::{Mesh, soups};
 
 fn options() -> Options {
     Options { structure: Structure::Recursive, tree: true, ..Options::default() }
 }
 
-/// A soup of boxes of all sizes, one of triangles that a plane cannot part, one in a row.
+/// Clumps, triangles through one another, some in one place, and some each farther than the one
+/// before.
 fn meshes() -> [(&'static str, Mesh); 4] {
     let one = soups::clustered(1).triangle(0);
     let mut stacked = Mesh::default();
     (0..300).for_each(|_| stacked.push(one));
-    // Each ten times as far as the one before: splits that take one off, again and again.
+    // Splits take few off, again and again.
     let mut far = Mesh::default();
     for i in 0..70 {
         let x = 1.8f32.powi(i);
@@ -69,8 +70,14 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
     }
 }
 
+/// The box of a part of a node: lower and upper bound along x, y, z.
+fn bounds(bytes: &[u8], number: usize, part: usize) -> [f32; 6] {
+    let at = record(bytes, NODES, number) + 4 * part;
+    [0, 1, 2, 3, 4, 5].map(|row| f32::from_bits(get32(bytes, at + 32 * row)))
+}
+
 #[test]
-fn boxes_hold_their_triangles() {
+fn boxes_hold_what_is_in_them() {
     for (name, mesh) in meshes() {
         let scene = build(&mesh, &options());
         let bytes = scene.view().bytes();
@@ -78,18 +85,29 @@ fn boxes_hold_their_triangles() {
         let lower = scene.view().bounds().0;
         for (number, at, word) in parts(bytes) {
             let part = (at - record(bytes, NODES, number) - PARTS.start) / 4;
-            let bound = |row: usize| {
-                let place = record(bytes, NODES, number) + 32 * row + 4 * part;
-                f64::from(f32::from_bits(get32(bytes, place)))
-            };
-            let leaf = if word & 15 == IS_NODE { 0 } else { word & 15 };
-            for triangle in (word >> 4)..(word >> 4) + leaf {
-                let from = record(bytes, TRIANGLES, triangle as usize);
-                for place in COORDINATES {
-                    let axis = place / 16;
-                    let x = f64::from(f32::from_bits(get32(bytes, from + place)));
-                    let x = (x - f64::from(lower[axis])) * unit;
-                    assert!(bound(2 * axis) <= x && x <= bound(2 * axis + 1), "{name}: {x}");
+            let around = bounds(bytes, number, part);
+            let (place, len) = ((word >> 4) as usize, word & 15);
+            if len == IS_NODE {
+                let mut all = [f32::INFINITY, f32::NEG_INFINITY].repeat(3);
+                for below in (0..8).map(|part| bounds(bytes, place, part)) {
+                    for k in 0..3 {
+                        all[2 * k] = all[2 * k].min(below[2 * k]);
+                        all[2 * k + 1] = all[2 * k + 1].max(below[2 * k + 1]);
+                    }
+                }
+                assert_eq!(all, around, "{name}");
+            } else if len == 0 {
+                assert!((0..3).all(|k| around[2 * k] > around[2 * k + 1]), "{name}");
+            } else {
+                for triangle in place..place + len as usize {
+                    let from = record(bytes, TRIANGLES, triangle);
+                    for corner in COORDINATES {
+                        let axis = corner / 16;
+                        let x = f64::from(f32::from_bits(get32(bytes, from + corner)));
+                        let x = (x - f64::from(lower[axis])) * unit;
+                        let [low, high] = [0, 1].map(|end| f64::from(around[2 * axis + end]));
+                        assert!(low <= x && x <= high, "{name}: {x}");
+                    }
                 }
             }
         }
@@ -122,24 +140,60 @@ fn rays_that_walk() {
     for (name, mesh) in meshes() {
         let scene = build(&mesh, &options());
         let view = scene.view();
-        let (lower, upper) = view.bounds();
-        let side = (0..3).map(|k| upper[k] - lower[k]).fold(0.0, f32::max);
-        for (_, one) in adversarial_rays(&mesh, 5, 300) {
-            let [org, dir] = [one.org, one.dir];
-            for scale in [1e-30, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e30] {
-                let scaled = Ray::new(org, dir.map(|d| d * scale));
-                let expected = view.intersect_brute(&scaled);
-                assert_same(&view.intersect(&scaled), &expected, &scaled, &name);
+        let lower = view.bounds().0;
+        let side = 1.0 / f64::from_bits(get64(view.bytes(), UNIT));
+        for (_, one) in adversarial_rays(&mesh, 5, 100) {
+            let one = ray(&one);
+            let check = |ray: &Ray| {
+                let expected = view.intersect_brute(ray);
+                assert_same(&view.intersect(ray), &expected, ray, &name);
+                assert_eq!(view.occluded(ray), expected.is_hit(), "{name}: {ray:?}");
+            };
+            for scale in [1e-30, 1e-12, 0.5 / 1048576.0, 1e-6, 1.0, 1e6, 2e6, 1e12, 1e30] {
+                check(&Ray::new(one.org, one.dir.map(|d| d * scale)));
             }
-            for far in [1e2, 1023.0, 1025.0, 1e6, 1e12] {
-                let moved = [0, 1, 2].map(|k| org[k] - dir[k] * (far * side));
-                let moved = Ray::new(moved, dir);
-                let expected = view.intersect_brute(&moved);
-                assert_same(&view.intersect(&moved), &expected, &moved, &name);
-                assert_eq!(view.occluded(&moved), view.intersect(&moved).is_hit(), "{name}");
+            // Towards where the ray begins, along an axis or nearly, from this and that side of
+            // 1024 units before the lowest corner, where the tree ends.
+            for axis in 0..3 {
+                for far in [1000.0, 1023.0, 1023.999, 1024.001, 1025.0, 1e6] {
+                    let (mut org, mut dir) = (one.org, [1e-4; 3]);
+                    org[axis] = (f64::from(lower[axis]) - far * side) as f32;
+                    dir[axis] = 1.0;
+                    check(&Ray::new(org, dir));
+                }
             }
         }
     }
+}
+
+/// Boxes that nothing meets hide all from rays on their own, so that is where these look; all
+/// else looks in the grids.
+#[test]
+fn who_takes_the_tree() {
+    let mesh = soups::clustered(500);
+    let mut forged = Aligned::copy(build(&mesh, &options()).view().bytes());
+    for number in 0..count(&forged, NODES) {
+        for row in 0..6 {
+            let never = if row % 2 == 0 { f32::INFINITY } else { f32::NEG_INFINITY };
+            for part in 0..8 {
+                let at = record(&forged, NODES, number) + 32 * row + 4 * part;
+                put32(&mut forged, at, never.to_bits());
+            }
+        }
+    }
+    let view = View::open(&forged).expect("bounds are not checked");
+    let mut hits = [0; 2];
+    for (_, one) in adversarial_rays(&mesh, 7, 50) {
+        let one = ray(&one);
+        let mut counters = Counters::default();
+        let counted = view.intersect_counted(&one, &mut counters);
+        hits[0] += usize::from(counted.is_hit());
+        hits[1] += usize::from(view.intersect(&one).is_hit());
+    }
+    assert!(hits[0] > 100, "{hits:?}");
+    // The portable code of these processors has no descent.
+    let descends = hug::isa() != hug::Isa::Portable;
+    assert!(if descends { 2 * hits[1] < hits[0] } else { hits[0] == hits[1] }, "{hits:?}");
 }
 
 /// Asserts that the bytes no longer open once a word was replaced.
@@ -219,9 +273,10 @@ fn depth_is_bounded() {
     assert_eq!(chain(65), Some(Error::Corrupt));
 }
 
+/// What is counted is levels, so this says how many there are at the most.
 #[test]
-fn work_is_bounded_where_no_split_is_good() {
-    // Triangles each twice as large as the one before, about one point: halves are as good as any.
+fn levels_are_few() {
+    // Triangles each twice as large as the one before, about one point.
     let mut nested = Mesh::default();
     for i in 0..120 {
         let size = 2f32.powi(i - 60);
@@ -236,7 +291,24 @@ fn work_is_bounded_where_no_split_is_good() {
         let without = Options { tree: false, ..options() };
         Scene::build_with(&soup, &without, &mut control).expect("a scene");
         let n = mesh.indices.len() as u64;
-        let most = n * (36 + u64::from(n.ilog2()));
-        assert!(with <= control.work() + n + most, "{name}: {with}");
+        assert!(with <= control.work() + n * (2 + 2 * u64::from(n.ilog2())), "{name}: {with}");
+    }
+}
+
+/// A fine model on a plane of a million times its size: margins would make one leaf of it all.
+#[test]
+fn what_is_tiny_has_none() {
+    let mut mesh = soups::clustered(2000);
+    let bounds = mesh.bounds().expect("vertices");
+    let size = bounds.hi[0] - bounds.lo[0];
+    assert!(count(build(&mesh, &options()).view().bytes(), NODES) > 0);
+    let far = 1e6 * size;
+    mesh.push([[-far, -far, 0.0], [far, -far, 0.0], [0.0, far, 0.0]]);
+    let scene = build(&mesh, &options());
+    assert_eq!(count(scene.view().bytes(), NODES), 0);
+    for (_, one) in adversarial_rays(&mesh, 8, 20) {
+        let one = ray(&one);
+        let expected = scene.view().intersect_brute(&one);
+        assert_same(&scene.view().intersect(&one), &expected, &one, &"tiny");
     }
 }

@@ -29,7 +29,8 @@ static SAMPLES: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
     let indices: Vec<[u32; 3]> =
         (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let soup = [Geometry::from_mesh(&vertices, &indices)];
-    let options = [of(Structure::Uniform), of(Structure::Recursive), hug, paper, fine];
+    let tree = Options { tree: true, ..of(Structure::Recursive) };
+    let options = [of(Structure::Uniform), of(Structure::Recursive), hug, paper, fine, tree];
     let bytes = |options| Scene::build(&soup, options).map(|s| s.view().bytes().to_vec());
     options.iter().map(|o| bytes(o).expect("a valid soup")).collect()
 });
@@ -43,15 +44,17 @@ fn get64(bytes: &[u8], at: usize) -> u64 {
     u64::from_le_bytes(bytes[at..at + 8].try_into().expect("eight bytes"))
 }
 
-/// A change of four bytes: anywhere, or in the header, a grid, a voxel or a list.
+/// A change of four bytes: anywhere, or in the header, a grid, a voxel, a list or a node.
 pub fn damage(bytes: &mut [u8], input: &mut Input<'_>) {
     let words = bytes.len() / 4;
     // Where the sections are that an intact header names.
     let section = |i: usize| get64(bytes, 32 + 16 * i) as usize / 4;
-    let region = match input.below(6) {
-        0 => [0, 64],
+    let region = match input.below(7) {
+        0 => [0, 80],
         kind @ 1..=3 => [section(kind - 1), section(kind)],
         4 => [section(3), words],
+        // That of the nodes, the last.
+        5 => [get64(bytes, 256) as usize / 4, words],
         _ => [0, words],
     };
     let [start, end] = region.map(|word| word.min(words));

@@ -34,14 +34,18 @@ fn header(bytes: &[u8]) -> Result<&Header, Error> {
     if bytes[..MAGIC.len()] != MAGIC {
         return Err(Error::Magic);
     }
-    let head = bytes.get(..size_of::<Header>()).ok_or(Error::Truncated)?;
-    let header: &Header = bytemuck::try_from_bytes(head).map_err(|_| Error::Alignment)?;
-    if header.byte_order != BYTE_ORDER {
+    // In every version they are what follows; headers may be shorter.
+    let words = bytes.get(MAGIC.len()..MAGIC.len() + 8).ok_or(Error::Truncated)?;
+    let [byte_order, version] =
+        [0, 4].map(|at| bytemuck::pod_read_unaligned::<u32>(&words[at..at + 4]));
+    if byte_order != BYTE_ORDER {
         return Err(Error::Endianness);
     }
-    if header.version != VERSION {
+    if version != VERSION {
         return Err(Error::Version);
     }
+    let head = bytes.get(..size_of::<Header>()).ok_or(Error::Truncated)?;
+    let header: &Header = bytemuck::try_from_bytes(head).map_err(|_| Error::Alignment)?;
     if header.bytes > bytes.len() as u64 {
         return Err(Error::Truncated);
     }

@@ -198,7 +198,8 @@ pub const MAX_DEPTH: usize = 64;
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub struct Node {
-    /// Lower and upper bounds of the parts along x, then y, then z, times the header's `unit`.
+    /// Lower and upper bounds of the parts along x, then y, then z, from the header's `lower` on
+    /// and times its `unit`.
     pub bounds: [[f32; PARTS]; 6],
     /// See [`PART_SHIFT`].
     pub parts: [u32; PARTS],

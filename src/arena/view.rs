@@ -7,7 +7,7 @@
 //! voxels' section; every voxel's list lies in the references' section; every
 //! reference names an existing triangle or a later grid; exit boxes lie in their
 //! grids; if a grid is turned there is a frame for each; parts of nodes name nodes and
-//! triangles that exist. The accessors below rely on
+//! triangles that exist, and where there are nodes there are eight triangles at least. The accessors below rely on
 //! it instead of testing bounds.
 
 use core::marker::PhantomData;
@@ -271,7 +271,7 @@ impl<'a> Sections<'a> {
         Axis { rows, marker: PhantomData }
     }
 
-    /// Triangle number `i`, from a reference.
+    /// Triangle number `i`, from a reference or a leaf.
     #[inline(always)]
     pub fn triangle(&self, i: u32) -> &'a Triangle {
         // SAFETY: see the module.
@@ -300,7 +300,7 @@ pub(crate) struct Axis<'a> {
 
 impl<'a> Axis<'a> {
     /// Those of the corners of a triangle, from three times its number, which is a
-    /// reference's or 0; the fourth number means nothing.
+    /// reference's, a leaf's or below one of these; the fourth number means nothing.
     #[inline(always)]
     pub fn row(&self, thrice: u32) -> &'a [f32; 4] {
         // SAFETY: see the module; a triangle is three rows.

@@ -3,7 +3,7 @@
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
 //! about `64 n + 136 G + 12 L + 20 V + 8 R` bytes, for a hierarchy `41 n` more, and the arena
 //! `48 n + 64 G + 12 V + 8 R`; where grids may be turned, `144 G` and `128 G` more; with a tree
-//! of boxes `123 n` and `88 n` more.
+//! of boxes `99 n` and `65 n` more.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 

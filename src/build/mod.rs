@@ -121,7 +121,7 @@ pub fn plan_with<'s>(
         let tree = Memory::take(capacity.tree, &mut scratch)?;
         let mut nodes: &[Node] = &[];
         if capacity.tree > 0 && count >= LEAF as usize {
-            control.pass(0.3)?;
+            control.pass(0.4)?;
             let care = if options.quality == Quality::High { Care::HIGH } else { Care::NORMAL };
             nodes = tree.build(&draft.soup, &mut objects[..count], care, control)?;
             draft.keep_order();

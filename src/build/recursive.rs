@@ -23,7 +23,7 @@ pub fn recursive(
     objects: &mut [u32],
     control: &mut Control<'_>,
 ) -> Result<(), Error> {
-    control.pass(0.3)?;
+    control.pass(0.42)?;
     uniform(draft, options, objects, control)?;
     control.pass(0.45)?;
     let mut batch = Batch::new();

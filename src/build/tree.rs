@@ -27,6 +27,15 @@ const CHOSEN: usize = 36;
 /// Triangles above which parts' places do not fit a node's words.
 pub const MOST: usize = 1 << (32 - PART_SHIFT);
 
+/// By how much a descent meets boxes early and late, where the ray begins in the scene
+/// (`trace::descent`).
+const MARGIN: f64 = 3.0 / (1 << 20) as f64;
+
+/// Half the surface of a box.
+fn surface([x, y, z]: [f64; 3]) -> f64 {
+    x * y + y * z + z * x
+}
+
 /// Most nodes over so many triangles. One without nodes below holds nine triangles at least,
 /// but for the root; one with such has eight parts, so these are a seventh of all leaves.
 pub fn capacity(triangles: usize) -> usize {
@@ -59,7 +68,9 @@ impl<'s> Memory<'s> {
     }
 
     /// Builds the tree over all triangles of a soup that is not empty, and orders them as its
-    /// leaves are.
+    /// leaves are. Where most triangles are in leaves so small beside the scene's extent that
+    /// the descent's margins, which are in proportion to that, double their boxes' surface, there
+    /// are no nodes: grids have coordinates of their own.
     pub fn build(
         self,
         soup: &Soup<'_>,
@@ -70,7 +81,7 @@ impl<'s> Memory<'s> {
         let Self { items: memory, nodes, ranges } = self;
         let memory = &mut memory[..soup.triangles.len()];
         items(soup, memory, control)?;
-        let mut numbers = Numbers { next: 1, first: 0, ranges, order };
+        let mut numbers = Numbers { next: 1, first: 0, ranges, order, tiny: 0 };
         numbers.ranges[0] = [0, memory.len() as u32];
         let (mut level, mut depth) = (0..1, 0);
         while !level.is_empty() {
@@ -84,7 +95,7 @@ impl<'s> Memory<'s> {
             level = level.end..numbers.next;
             depth += 1;
         }
-        Ok(&nodes[..numbers.next])
+        Ok(if 2 * numbers.tiny > memory.len() { &[] } else { &nodes[..numbers.next] })
     }
 }
 
@@ -175,12 +186,15 @@ struct Numbers<'a> {
     first: usize,
     ranges: &'a mut [[u32; 2]],
     order: &'a mut [u32],
+    /// Triangles in leaves whose boxes have twice the surface with a descent's margins, or more.
+    tiny: usize,
 }
 
 impl Numbers<'_> {
     /// Gives the parts of a node their places.
     fn give(&mut self, node: &mut Node, items: &[Item]) {
-        for (part, start) in node.parts.iter_mut().zip(&mut node.reserved) {
+        let bounds = node.bounds;
+        for (i, (part, start)) in node.parts.iter_mut().zip(&mut node.reserved).enumerate() {
             let (len, start) = (*part, core::mem::take(start));
             *part = if len > LEAF {
                 self.ranges[self.next] = [start, len];
@@ -188,6 +202,12 @@ impl Numbers<'_> {
                 (self.next as u32 - 1) << PART_SHIFT | NODE
             } else if len > 0 {
                 let leaf = &items[start as usize..][..len as usize];
+                let sides = [0, 1, 2]
+                    .map(|k| f64::from(bounds[2 * k + 1][i]) - f64::from(bounds[2 * k][i]));
+                let met = surface(sides.map(|side| side + 2.0 * MARGIN));
+                if met > 2.0 * surface(sides) {
+                    self.tiny += leaf.len();
+                }
                 for (to, item) in self.order[self.first..].iter_mut().zip(leaf) {
                     *to = item.number();
                 }

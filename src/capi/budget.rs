@@ -62,7 +62,8 @@ pub unsafe extern "C" fn hug_occluded_within(
 /// How many steps suffice for any ray in the scene: an upper bound on the sum of
 /// grids, voxels and tests of hug_counters for one ray, 0 for an empty scene. It
 /// holds for every scene that hug_open accepts, whoever made it. Of a structure with
-/// many levels it is far above what rays take. Cost: linear in the arena, with no
+/// many levels it is far above what rays take. A ray that takes the tree of boxes, as
+/// those that are counted do not, looks at each of its nodes and triangles once at most. Cost: linear in the arena, with no
 /// allocation.
 ///
 /// # Safety

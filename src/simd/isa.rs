@@ -98,8 +98,14 @@ pub(crate) trait AnyKernel: Sized {
     /// Where none of the other instruction sets is there.
     #[inline(always)]
     fn run_portable(self) -> Self::Out {
-        Portable.run(On(self))
+        portably(self)
     }
+}
+
+/// Runs a kernel on what every processor has.
+#[inline(always)]
+pub(crate) fn portably<K: AnyKernel>(kernel: K) -> K::Out {
+    Portable.run(On(kernel))
 }
 
 struct On<K>(K);

@@ -21,7 +21,7 @@ mod stack;
 mod x86;
 
 pub(crate) use fetch::fetch;
-pub(crate) use isa::{AnyKernel, dispatch};
+pub(crate) use isa::{AnyKernel, dispatch, portably};
 pub use isa::{Isa, force_isa, isa};
 pub(crate) use lanes::{Kernel, Lanes};
 #[cfg(feature = "alloc")]

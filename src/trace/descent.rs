@@ -2,8 +2,8 @@
 //! leaves of up to eight triangles, which are sieved at once.
 //!
 //! Boxes only say where not to look; `triangle` decides what is hit, as in a walk. Nodes are in
-//! coordinates times `unit`, from the lowest corner of the scene on, so that these are at most
-//! about 1, and the ray's parameter, tau, is t times `unit`.
+//! coordinates times `unit`, from the lowest corner of the scene on, so that these are less
+//! than 2, and the ray's parameter, tau, is t times `unit`.
 //!
 //! No part of a hit is missed. With e = 2^-24 and o the origin's coordinate along an axis, the
 //! parameter of a plane p <= 2 is computed as p pace - o pace, with errors of at most e of

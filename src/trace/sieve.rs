@@ -14,7 +14,7 @@
 //! A triangle is out, too, if the place on it that the ray meets is out of range. The edge
 //! products are that place's weights, so its z is the sum of their products with the corners' z,
 //! `height`, over their sum, `det`. With U the sum of the products' sizes, det is off by at most
-//! `3 E + 3 e U`; with Z the largest |z| of the corners and that of the range's end,
+//! `3 E + 3 e U`; with Z the largest |z| of the corners plus that of the range's end,
 //! `height - end det` by `(3 E + 6 e U) Z`. Used are `4 E + 8 e U`, for both, and 2^-100 for what
 //! underflows. An infinite end makes infinities and NaN, which are never out. Scenes so large
 //! or small that `f32` products leave their range are not sieved.

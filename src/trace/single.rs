@@ -7,7 +7,7 @@ use super::query::{Any, Closest, Query, usable, visible};
 use super::walk::Walk;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv};
+use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv, portably};
 use crate::triangle::Line;
 
 /// Triangles up to which deciding all of them takes less time than to begin a walk.
@@ -32,6 +32,18 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
         let mut walk = Walk::new(lanes, self.view, self.ray, self.query, self.counters);
         walk.run(self.view.header().occluders());
         walk.query.found(&self.view.sections(), self.ray)
+    }
+
+    // Where a better set is nearly always there, what counts nothing may as well count: its own
+    // kernels would be a fiftieth of the library.
+    #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
+    fn run_portable(self) -> Q::Out {
+        if C::COUNTS {
+            return portably(self);
+        }
+        let Self { view, ray, query, .. } = self;
+        let mut nobody = Counters::default();
+        portably(Single { view, ray, query, counters: &mut nobody.meter() })
     }
 }
 

@@ -72,7 +72,8 @@ fn grid_cost(sections: &Sections<'_>, grid: &Grid, level: &[u64; MAX_LEVELS]) ->
 impl View<'_> {
     /// Steps that suffice for any ray: an upper bound on the sum of what
     /// [`crate::Counters`] counts of grids, voxels and tests for one. 0 for an empty
-    /// scene. Cost: linear in the arena, with no allocation.
+    /// scene. A ray that takes the tree of boxes, as those that are counted do not, looks at
+    /// each of its nodes and triangles once at most. Cost: linear in the arena, with no allocation.
     #[must_use]
     pub fn most_steps(&self) -> u64 {
         let (grids, sections) = (self.grids(), self.sections());

@@ -57,6 +57,7 @@ pub fn items(soup: &Soup<'_>, to: &mut [Item], control: &mut Control<'_>) -> Res
             }
         })?;
         control.count(from.len());
+        control.at(i * chunk, soup.triangles.len())?;
     }
     Ok(())
 }
@@ -83,7 +84,8 @@ impl Frame {
     /// A coordinate, not negative. In `f64`, what it is off by is far below the descent's margin.
     #[inline(always)]
     fn place(&self, k: usize, x: f32) -> f64 {
-        (f64::from(x) - self.lower[k]) * self.unit
+        // Zeros are positive: processors differ in which of two is the lesser.
+        (f64::from(x) - self.lower[k]) * self.unit + 0.0
     }
 
     /// The `f32` at or below it.

@@ -151,6 +151,7 @@ pub fn split(items: &mut [Item], part: &Part, care: Option<Care>, bins: &mut Bin
 }
 
 /// The cheapest split: its axis and the last bin before it.
+#[inline(never)]
 fn cheapest(
     items: &[Item],
     part: &Part,
@@ -217,6 +218,7 @@ impl Best {
 }
 
 /// Moves the items up to a bin before the others.
+#[inline(never)]
 fn apart(items: &mut [Item], binning: &Binning, axis: usize, border: usize) -> [Part; 2] {
     let (mut a, mut b) = (Part::EMPTY, Part::EMPTY);
     let (mut at, mut end) = (0, items.len());
