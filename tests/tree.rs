@@ -24,7 +24,7 @@ fn meshes() -> [(&'static str, Mesh); 4] {
     // Splits take few off, again and again.
     let mut far = Mesh::default();
     for i in 0..70 {
-        let x = 1.8f32.powi(i);
+        let x = 1.15f32.powi(i);
         far.push([[x, 0.0, 0.0], [x, x, 0.0], [x, 0.0, x]]);
     }
     [
