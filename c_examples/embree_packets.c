@@ -116,7 +116,8 @@ static void check_packet(const fixture *f, unsigned n, const hug_ray *rays)
         hug_hit old = hug_embree_hit_n((const struct RTCRayHitN *)&before, n, i);
         hug_intersect(f->hug, &rays[i], &exact);
         require(memcmp(&our, valid[i] ? &exact : &old, sizeof our) == 0, "another hit", n, i);
-        require(alike(&our, &their), "Embree's hit is far from it", n, i);
+        /* Without AVX-512, Embree 3.13.5 answers the rays of a packet of 16 that are not valid. */
+        require(!valid[i] || alike(&our, &their), "Embree's hit is far from it", n, i);
     }
 
     ours = theirs = before;
@@ -124,8 +125,8 @@ static void check_packet(const fixture *f, unsigned n, const hug_ray *rays)
     embree_occluded(n, valid, f->embree, &theirs);
     for (i = 0; i < n; i++)
         require(*hug_embree_at(&ours, HUG_EMBREE_TFAR, n, i) ==
-                    *hug_embree_at(&theirs, HUG_EMBREE_TFAR, n, i),
-                "Embree's occlusion is another", n, i);
+                    *hug_embree_at(valid[i] ? &theirs : &before, HUG_EMBREE_TFAR, n, i),
+                "another occlusion", n, i);
 }
 
 static void check_streams(const fixture *f)
