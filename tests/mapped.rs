@@ -63,7 +63,8 @@ impl Drop for Mapping {
 
 #[test]
 fn a_trusted_mapping_is_read_where_rays_go() {
-    let mesh = scenes::building().mesh;
+    // Large: for each place that is touched the system may map some megabytes around it.
+    let mesh = scenes::generate("clustered:300000").expect("a scene").mesh;
     let scene = build(&mesh, &Options::default());
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mapped.hug");
     fs::write(&path, scene.view().bytes()).expect("a file");
