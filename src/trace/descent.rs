@@ -63,8 +63,8 @@ pub(super) struct Slabs<L: Lanes> {
 }
 
 impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
-    /// That of a ray that is known to be usable, in a scene with a tree; `None` for one that is
-    /// to walk.
+    /// That of a ray in a scene with a tree; `None` for one that is to walk, or that cannot hit
+    /// anything.
     #[inline(always)]
     pub fn new(l: L, view: &'a View<'a>, ray: &'a Ray, query: Q) -> Option<(Self, Slabs<L>)> {
         let [org, dir, _] = ray.rows();
