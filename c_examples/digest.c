@@ -1,11 +1,11 @@
 /* What it teaches: hug on whatever processor this is compiled for. A renderer that is
  * ported wants to know that it draws the same picture: results of hug depend neither on
  * the processor nor on the instruction set in use, so a few numbers tell. This program
- * builds a fixed scene in static memory, in every structure, traces fixed rays in every
- * form of query and on every instruction set that hug_force_isa takes, and prints
- * digests:
+ * builds a fixed scene in static memory, in every structure and with a tree of boxes,
+ * traces fixed rays in every form of query and on every instruction set that
+ * hug_force_isa takes, and prints digests:
  *
- *     scene: the bytes of the three arenas
+ *     scene: the bytes of the four arenas
  *     hits: what hug_intersect, hug_occluded and the streams said
  *     counts: what hug_intersect_counted counted
  *
@@ -24,8 +24,14 @@ static unsigned char scratch[SCRATCH_BYTES] __attribute__((aligned(64)));
 static hug_hit hits[RAY_COUNT];
 static uint8_t occluded[RAY_COUNT];
 
-static const hug_structure structures[3] = {HUG_STRUCTURE_UNIFORM, HUG_STRUCTURE_RECURSIVE,
-                                            HUG_STRUCTURE_HUG};
+#define STRUCTURES 4
+static const struct {
+    hug_structure structure;
+    uint32_t flags;
+} structures[STRUCTURES] = {{HUG_STRUCTURE_UNIFORM, 0},
+                            {HUG_STRUCTURE_RECURSIVE, 0},
+                            {HUG_STRUCTURE_HUG, 0},
+                            {HUG_STRUCTURE_RECURSIVE, HUG_BUILD_TREE}};
 static const char *const isas[4] = {"portable", "avx2", "avx512", "neon"};
 
 /* FNV-1a */
@@ -50,8 +56,7 @@ static void write_digest(const char *name, uint64_t sum)
     runtime_write(text);
 }
 
-static const hug_scene *build(const hug_geometry *geometries, size_t count,
-                              hug_structure structure)
+static const hug_scene *build(const hug_geometry *geometries, size_t count, int number)
 {
     hug_build_desc desc;
     const hug_scene *scene = NULL;
@@ -62,7 +67,8 @@ static const hug_scene *build(const hug_geometry *geometries, size_t count,
     desc.struct_size = sizeof desc;
     desc.geometries = geometries;
     desc.geometry_count = count;
-    desc.structure = structure;
+    desc.structure = structures[number].structure;
+    desc.flags = structures[number].flags;
     status = hug_measure(&desc, &arena_bytes, &scratch_bytes);
     if (status == HUG_OK && (arena_bytes > ARENA_BYTES || scratch_bytes > SCRATCH_BYTES)) {
         runtime_write("digest: the scene needs more than the static memory\n");
@@ -135,8 +141,8 @@ int runtime_main(void)
 
     for (i = 0; i < 4; i++)
         all[i].hits = all[i].counts = DIGEST_START;
-    for (s = 0; s < 3; s++) {
-        const hug_scene *scene = build(geometries, count, structures[s]);
+    for (s = 0; s < STRUCTURES; s++) {
+        const hug_scene *scene = build(geometries, count, s);
         if (!scene)
             return 1;
         const void *data = hug_data(scene, &size);

@@ -21,7 +21,9 @@ mod stack;
 mod x86;
 
 pub(crate) use fetch::fetch;
-pub(crate) use isa::{AnyKernel, dispatch, portably};
+#[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
+pub(crate) use isa::portably;
+pub(crate) use isa::{AnyKernel, dispatch};
 pub use isa::{Isa, force_isa, isa};
 pub(crate) use lanes::{Kernel, Lanes};
 #[cfg(feature = "alloc")]

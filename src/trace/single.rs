@@ -7,7 +7,7 @@ use super::query::{Any, Closest, Query, usable, visible};
 use super::walk::Walk;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv, portably};
+use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv};
 use crate::triangle::Line;
 
 /// Triangles up to which deciding all of them takes less time than to begin a walk.
@@ -38,6 +38,7 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     // kernels would be a fiftieth of the library.
     #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
     fn run_portable(self) -> Q::Out {
+        use crate::simd::portably;
         if C::COUNTS {
             return portably(self);
         }
