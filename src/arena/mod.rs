@@ -1,7 +1,8 @@
 //! The arena: one flat block that holds a built scene.
 //!
 //! `layout` says what its bytes mean, `check` decides whether untrusted bytes
-//! are an arena (`tree`: whether nodes are a tree), `view` reads one, `block` owns the memory of one.
+//! are an arena (`tree`: whether nodes are a tree), `view` reads one, `block` owns
+//! the memory of one.
 
 #[cfg(feature = "alloc")]
 pub(crate) mod block;

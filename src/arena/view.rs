@@ -7,7 +7,8 @@
 //! voxels' section; every voxel's list lies in the references' section; every
 //! reference names an existing triangle or a later grid; exit boxes lie in their
 //! grids; if a grid is turned there is a frame for each; parts of nodes name nodes and
-//! triangles that exist, and where there are nodes there are eight triangles at least. The accessors below rely on
+//! triangles that exist, and where there are nodes there are eight triangles at least.
+//! The accessors below rely on
 //! it instead of testing bounds.
 
 use core::marker::PhantomData;

@@ -206,7 +206,8 @@ impl<'s> Draft<'s> {
     }
 
     /// Sorts `objects` (triangles without numbers, by their places in the soup, then
-    /// grids, both ascending, or triangles alone in an order to keep) into the voxels of a grid, and numbers the triangles.
+    /// grids, both ascending, or triangles alone in an order to keep) into the voxels of a
+    /// grid, and numbers the triangles.
     /// Cost: one overlap test for each reference, plus the voxels.
     ///
     /// # Errors

@@ -100,7 +100,7 @@ impl<'s> Memory<'s> {
 }
 
 /// Some nodes of a level and their items, the first of which is number `start`.
-struct Some<'a> {
+struct Share<'a> {
     nodes: &'a mut [Node],
     ranges: &'a [[u32; 2]],
     items: &'a mut [Item],
@@ -133,7 +133,7 @@ fn split_level(
         cut(&mut items, start as usize - at);
         at = (last + len) as usize;
         let items = cut(&mut items, at - start as usize);
-        Some(Some { nodes: cut(&mut nodes, count), ranges: some, items, start: start as usize })
+        Some(Share { nodes: cut(&mut nodes, count), ranges: some, items, start: start as usize })
     });
     control.each(&mut tasks, |some| {
         let mut bins = Bins::new();

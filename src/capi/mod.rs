@@ -27,6 +27,7 @@ mod profile;
 mod query;
 mod rebuild;
 mod sized;
+mod soa_types;
 mod stat_types;
 mod stats;
 mod stream;

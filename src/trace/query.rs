@@ -116,9 +116,6 @@ impl Query for Closest {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool> {
-        if !L::REGISTERS {
-            return self.meet(line, triangle, number);
-        }
         let met = line.meet_in(l, triangle, self.limit)?;
         if self.prefers(&met, triangle) {
             self.take(met, triangle, number, normal(triangle));
@@ -175,11 +172,8 @@ impl Query for Any {
         l: L,
         line: &Line,
         triangle: &Triangle,
-        number: u32,
+        _: u32,
     ) -> Option<bool> {
-        if !L::REGISTERS {
-            return self.meet(line, triangle, number);
-        }
         self.found = line.pierces_in(l, triangle, self.tmax);
         self.found.then_some(true)
     }
@@ -206,11 +200,16 @@ impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, Q> {
         if !visible(ray, triangle) {
             return None;
         }
-        query.meet_in(l, &Line::new(ray), triangle, number)
+        let line = &Line::new(ray);
+        if L::REGISTERS {
+            query.meet_in(l, line, triangle, number)
+        } else {
+            query.meet(line, triangle, number)
+        }
     }
 }
 
-/// [`Query::meet_in`], if the ray may meet the triangle. Cold, and one function for all who ask,
+/// [`Query::meet`], if the ray may meet the triangle. Cold, and one function for all who ask,
 /// so that registers are not spilled where there is nothing to decide, and the library is smaller.
 #[cold]
 #[inline(never)]
