@@ -6,8 +6,8 @@
 
 use super::layout::{
     ALIGN, BYTE_ORDER, COVERS, EMPTY, EXIT_BITS, EXIT_MAX, Frame, GRID, GRID_BIT, Grid, Header,
-    LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TURNED, Triangle, VERSION,
-    sections,
+    LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TREE_UNITS, TURNED, Triangle,
+    VERSION, sections,
 };
 use super::tree;
 use crate::Error;
@@ -80,6 +80,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     require(h.occluders.iter().all(named), Error::Reference)?;
     agree(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
     agree(h.reserved == [0; 6])?;
+    agree(h.nodes.count == 0 || TREE_UNITS.contains(&h.unit))?;
     tree::check(section(bytes, h.nodes.offset, h.nodes.count)?, counts.3)?;
     if grids.is_empty() {
         return agree(voxels.is_empty() && refs.is_empty());

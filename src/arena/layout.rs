@@ -187,13 +187,16 @@ pub const PART_SHIFT: u32 = 4;
 pub const NODE: u32 = 15;
 /// Most triangles of a leaf, and fewest of a scene that has a tree.
 pub const LEAF: u32 = 8;
+/// Units of a scene with nodes: what a descent computes then stays in the range of `f32`.
+pub const TREE_UNITS: core::ops::RangeInclusive<f64> =
+    1.0 / (1 << 28) as f64..=(1u128 << 100) as f64;
 /// Most nodes on the way from the first to a leaf.
 pub const MAX_DEPTH: usize = 64;
 
 /// A node of the tree of boxes: up to eight parts, nodes or runs of triangles, by their boxes.
-/// The first node is the root. In the order of nodes, and of their parts, nodes from number 1
-/// on and triangles from number 0 on are named one after the other: so it is a tree, its nodes
-/// are level by level, and each triangle is in one leaf. A part that is not there is a leaf of
+/// The first node is the root. In the order of nodes, and of their parts' places, nodes from
+/// number 1 on and triangles from number 0 on are named one after the other: so it is a tree, its
+/// nodes are level by level, and each triangle is in one leaf. A part that is not there is a leaf of
 /// no triangles with an inverted box. Four cache lines.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(64))]

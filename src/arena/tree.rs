@@ -25,7 +25,9 @@ pub fn check(nodes: &[Node], triangles: u64) -> Result<(), Error> {
         if number >= next || depth > MAX_DEPTH || node.reserved != [0; 8] {
             return Err(Error::Corrupt);
         }
-        for part in node.parts {
+        let mut parts = node.parts;
+        parts.sort_unstable();
+        for part in parts {
             let (place, count) = (u64::from(part >> PART_SHIFT), part & NODE);
             let expected = match count {
                 NODE => &mut next,

@@ -286,10 +286,25 @@ pub(crate) struct Row(usize);
 
 impl Row {
     /// The lower or the upper bounds along an axis, 0 to 2.
-    #[inline(always)]
-    pub fn new(axis: usize, upper: bool) -> Self {
-        Self((2 * axis.min(2) + usize::from(upper)) * size_of::<[f32; PARTS]>())
+    const fn new(axis: usize, upper: usize) -> Self {
+        Self((2 * axis + upper) * size_of::<[f32; PARTS]>())
     }
+
+    /// For each set of axes, a bit each, the upper bounds along these and the lower along others:
+    /// where a ray comes to first that descends on them.
+    pub const FIRST: [[Self; 3]; 8] = {
+        let mut rows = [[Self(0); 3]; 8];
+        let mut signs = 0;
+        while signs < 8 {
+            let mut k = 0;
+            while k < 3 {
+                rows[signs][k] = Self::new(k, signs >> k & 1);
+                k += 1;
+            }
+            signs += 1;
+        }
+        rows
+    };
 }
 
 /// The coordinates of all triangles along an axis.

@@ -124,7 +124,9 @@ pub fn plan_with<'s>(
             control.pass(0.4)?;
             let care = if options.quality == Quality::High { Care::HIGH } else { Care::NORMAL };
             nodes = tree.build(&draft.soup, &mut objects[..count], care, control)?;
-            draft.keep_order();
+            if !nodes.is_empty() {
+                draft.keep_order();
+            }
         }
         if count > 0 {
             match options.structure {

@@ -13,10 +13,11 @@ mod item;
 mod split;
 
 use super::control::{Control, TASKS, parts};
+use super::frame::unit;
 use super::gather::Soup;
 use super::scratch::{Scratch, cut};
 use crate::Error;
-use crate::arena::layout::{LEAF, NODE, Node, PART_SHIFT, PARTS};
+use crate::arena::layout::{LEAF, NODE, Node, PART_SHIFT, PARTS, TREE_UNITS};
 use item::{Item, items};
 use split::{Bins, Part, split};
 
@@ -79,6 +80,9 @@ impl<'s> Memory<'s> {
         control: &mut Control<'_>,
     ) -> Result<&'s [Node], Error> {
         let Self { items: memory, nodes, ranges } = self;
+        if !TREE_UNITS.contains(&unit(&soup.bounds)) {
+            return Ok(&[]);
+        }
         let memory = &mut memory[..soup.triangles.len()];
         items(soup, memory, control)?;
         let mut numbers = Numbers { next: 1, first: 0, ranges, order, tiny: 0 };
@@ -191,9 +195,14 @@ struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    /// Gives the parts of a node their places.
+    /// Gives the parts of a node their places, and puts the largest first: where any hit will do,
+    /// it is most likely to be there (surface area traversal order, Nah & Manocha 2014).
     fn give(&mut self, node: &mut Node, items: &[Item]) {
         let bounds = node.bounds;
+        let sides = |i: usize| {
+            [0, 1, 2].map(|k| f64::from(bounds[2 * k + 1][i]) - f64::from(bounds[2 * k][i]))
+        };
+        let mut order = [(0.0, 0); PARTS];
         for (i, (part, start)) in node.parts.iter_mut().zip(&mut node.reserved).enumerate() {
             let (len, start) = (*part, core::mem::take(start));
             *part = if len > LEAF {
@@ -202,10 +211,8 @@ impl Numbers<'_> {
                 (self.next as u32 - 1) << PART_SHIFT | NODE
             } else if len > 0 {
                 let leaf = &items[start as usize..][..len as usize];
-                let sides = [0, 1, 2]
-                    .map(|k| f64::from(bounds[2 * k + 1][i]) - f64::from(bounds[2 * k][i]));
-                let met = surface(sides.map(|side| side + 2.0 * MARGIN));
-                if met > 2.0 * surface(sides) {
+                let met = surface(sides(i).map(|side| side + 2.0 * MARGIN));
+                if met > 2.0 * surface(sides(i)) {
                     self.tiny += leaf.len();
                 }
                 for (to, item) in self.order[self.first..].iter_mut().zip(leaf) {
@@ -216,6 +223,15 @@ impl Numbers<'_> {
             } else {
                 0
             };
+            order[i] = (if len > 0 { surface(sides(i)) } else { -1.0 }, i);
+        }
+        order.sort_unstable_by(|(a, i), (b, j)| b.total_cmp(a).then(i.cmp(j)));
+        let parts = node.parts;
+        for (to, (_, from)) in order.into_iter().enumerate() {
+            node.parts[to] = parts[from];
+            for (row, bounds) in node.bounds.iter_mut().zip(&bounds) {
+                row[to] = bounds[from];
+            }
         }
     }
 }

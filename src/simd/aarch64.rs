@@ -249,6 +249,12 @@ impl Lanes for Neon {
         fn max_wide(self, a: Wide, b: Wide) -> Wide = vmaxq_f32(a, b);
         fn abs_wide(self, a: Wide) -> Wide = vabsq_f32(a);
         fn less_product(self, a: Wide, b: Wide, c: Wide) -> Wide = vfmsq_f32(a, b, c);
+        fn product_less(self, a: Wide, b: Wide, c: Wide) -> Wide =
+            vnegq_f32(vfmsq_f32(c, a, b));
+        fn turn_wide(self, a: Wide, b: Wide) -> Wide = {
+            let sign = vandq_u32(vreinterpretq_u32_f32(b), vdupq_n_u32(1 << 31));
+            vreinterpretq_f32_u32(veorq_u32(vreinterpretq_u32_f32(a), sign))
+        };
         fn cross_wide(self, a: Wide, b: Wide, c: Wide, d: Wide) -> Wide =
             vfmsq_f32(vmulq_f32(a, b), c, d);
     }
@@ -307,10 +313,10 @@ impl Lanes for Neon {
         })
     }
     #[inline(always)]
-    fn misses(self, [a, b]: [Wide; 2], c: Wide, [d, e]: [Wide; 2], [f, g]: [Wide; 2]) -> u32 {
+    fn misses(self, [a, b]: [Wide; 2], [c, d]: [Wide; 2], [e, f]: [Wide; 2]) -> u32 {
         let out = with!({
-            let beside = vandq_u32(vcgtq_f32(a, b), vcgtq_f32(c, b));
-            vorrq_u32(beside, vorrq_u32(vcltq_f32(d, e), vcgtq_f32(f, g)))
+            let both = vandq_u32(vcgtq_f32(c, d), vcgtq_f32(e, f));
+            vorrq_u32(vcgtq_f32(a, b), both)
         });
         bits(out, 15)
     }

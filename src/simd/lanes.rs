@@ -21,6 +21,9 @@ pub(crate) trait Lanes: Copy + 'static {
     /// out, as it would be much code.
     const REGISTERS: bool = true;
 
+    /// Whether comparisons make masks of a bit for each lane.
+    const MASKS: bool = false;
+
     /// Brings what `at` points to closer, if that is quicker; reads nothing.
     #[inline(always)]
     fn prefetch<T>(self, at: *const T) {
@@ -29,6 +32,14 @@ pub(crate) trait Lanes: Copy + 'static {
 
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;
+
+    /// Likewise, never as part of the caller: what is rarely needed does not take its registers,
+    /// and is there but once.
+    #[cold]
+    #[inline(never)]
+    fn run_apart<K: Kernel<Self>>(self, kernel: K) -> K::Out {
+        kernel.run(self)
+    }
 
     fn load_f64(self, a: &[f64; 4]) -> Self::F64;
     fn splat_f64(self, a: f64) -> Self::F64;
@@ -176,14 +187,12 @@ pub(crate) trait Lanes: Copy + 'static {
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
     /// One bit for each lane in which `a <= b`.
     fn at_most(self, a: Self::Wide, b: Self::Wide) -> u32;
-    /// One bit for each lane in which `a > b` and `c > b`, or `d < e`, or `f > g`.
-    fn misses(
-        self,
-        ab: [Self::Wide; 2],
-        c: Self::Wide,
-        de: [Self::Wide; 2],
-        fg: [Self::Wide; 2],
-    ) -> u32;
+    /// `a`, negated where `b` is negative.
+    fn turn_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    /// `a * b - c`, rounded once or twice.
+    fn product_less(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
+    /// One bit for each lane in which `a > b`, or `c > d` and `e > f`.
+    fn misses(self, ab: [Self::Wide; 2], cd: [Self::Wide; 2], ef: [Self::Wide; 2]) -> u32;
 }
 
 /// Code to be compiled for an instruction set.

@@ -144,6 +144,10 @@ impl Lanes for Portable {
             (0..4).map(|k| u32::from(a[k] <= b[k]) << k).sum();
         fn less_product(self, a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [f32; 4] =
             self.sub_f32(a, self.mul_f32(b, c));
+        fn product_less(self, a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [f32; 4] =
+            self.sub_f32(self.mul_f32(a, b), c);
+        fn turn_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] =
+            map(a, b, |a, b| f32::from_bits(a.to_bits() ^ b.to_bits() & 1 << 31));
         fn cross_wide(self, a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> [f32; 4] =
             self.sub_f32(self.mul_f32(a, b), self.mul_f32(c, d));
     }
@@ -245,14 +249,8 @@ impl Lanes for Portable {
         [a; 4]
     }
     #[inline(always)]
-    fn misses(
-        self,
-        [a, b]: [[f32; 4]; 2],
-        c: [f32; 4],
-        [d, e]: [[f32; 4]; 2],
-        [f, g]: [[f32; 4]; 2],
-    ) -> u32 {
-        let miss = |k: usize| (a[k] > b[k]) & (c[k] > b[k]) | (d[k] < e[k]) | (f[k] > g[k]);
+    fn misses(self, [a, b]: [[f32; 4]; 2], [c, d]: [[f32; 4]; 2], [e, f]: [[f32; 4]; 2]) -> u32 {
+        let miss = |k: usize| (a[k] > b[k]) | (c[k] > d[k]) & (e[k] > f[k]);
         (0..4).map(|k| u32::from(miss(k)) << k).sum()
     }
 }

@@ -12,12 +12,14 @@
 //! and added where it leaves. A component of the direction below 2^-115 is taken for that, 2^-95
 //! of the longest or less, which moves the ray by less than 2^-83 where the origin is no farther
 //! than [`FAR`], as it is here: rays from farther away walk, and so do those whose directions
-//! are not between 1 / [`FASTEST`] and [`FASTEST`] long.
+//! are not between 1 / [`FASTEST`] and [`FASTEST`] long. A t rounds by 2 e of it or half the
+//! least denormal, which `unit` makes 2^-50 at most ([`TREE_UNITS`]); 4 e and 2^-40 are allowed.
 
-use super::local::above;
-use super::query::{Query, beyond, decide};
-use super::sieve::Sieve;
-use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS};
+use core::marker::PhantomData;
+
+use super::query::{Query, decide};
+use super::sieve::{FARTHEST, Sieve};
+use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS, TREE_UNITS};
 use crate::arena::{Row, Sections, View};
 use crate::ray::Ray;
 use crate::simd::{Lanes, Room, Stack};
@@ -35,18 +37,22 @@ const SIGN: u32 = 1 << 31;
 /// Parts that wait: seven of each node on the way, and one.
 const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;
 
+// What a ray meets here is near enough to be sieved.
+const _: () = assert!((FAR + 2.0) as f64 / *TREE_UNITS.start() < FARTHEST as f64);
+
 /// A query on its way through the tree.
 pub(super) struct Descent<'a, Q, L: Lanes> {
     lanes: L,
-    view: &'a View<'a>,
+    sections: Sections<'a>,
     ray: &'a Ray,
-    sieve: Sieve<'a>,
+    /// Made where the first triangles are met: many rays meet none.
+    sieve: Option<Sieve<'a>>,
     /// Eight triangles from here on are the last of the scene.
     last: u32,
-    per_t: f64,
+    unit: f32,
     /// No tau above it is of interest.
     to: f32,
-    pub query: Q,
+    query: PhantomData<Q>,
 }
 
 /// A ray as boxes want it, a number for each axis in all lanes.
@@ -62,26 +68,31 @@ pub(super) struct Slabs<L: Lanes> {
     far: [Row; 3],
 }
 
+/// A tau that no parameter that rounds to `limit` or less is above.
+#[inline(always)]
+fn beyond(limit: f32, unit: f32) -> f32 {
+    let tau = limit * unit;
+    // Of an infinite tau the product is not NaN, as a sum would be.
+    let ratio = if tau > 0.0 { 1.0 + 2.0 * f32::EPSILON } else { 1.0 - 2.0 * f32::EPSILON };
+    tau * ratio + 1.0 / (1u64 << 40) as f32
+}
+
 impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     /// That of a ray in a scene with a tree; `None` for one that is to walk, or that cannot hit
     /// anything.
     #[inline(always)]
-    pub fn new(l: L, view: &'a View<'a>, ray: &'a Ray, query: Q) -> Option<(Self, Slabs<L>)> {
+    pub fn new(l: L, view: &View<'a>, ray: &'a Ray) -> Option<(Self, Slabs<L>)> {
         let [org, dir, _] = ray.rows();
         let (org, dir) = (l.load3(org), l.load3(dir));
         let header = view.header();
-        let [lowest, highest] = header.corners();
-        let (lowest, highest) = (l.load3(lowest), l.load3(highest));
-        let place = l.mul_f64(l.sub_f64(l.widen(org), l.widen(lowest)), l.splat_f64(header.unit));
-        let place = l.narrow(place);
+        let unit = header.unit as f32;
+        let place = l.mul_f32(l.sub_f32(org, l.load3(header.corners()[0])), l.splat_f32(unit));
         let speed = l.abs_f32(dir);
-        // One branch; NaN fails the comparisons. No t is infinite.
+        // One branch; NaN fails the comparisons.
         let suits = l.all_below(place, FAR)
             & l.all_below(dir, FASTEST)
             & (l.first(l.highest(speed)) > 1.0 / FASTEST)
-            & (ray.tmin <= ray.tmax)
-            & (ray.tmin < f32::INFINITY)
-            & (ray.tmax > f32::NEG_INFINITY);
+            & (ray.tmin <= ray.tmax);
         if !suits {
             return None;
         }
@@ -93,59 +104,50 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         let enter = l.array_f32(l.sub_f32(at, room));
         let leave = l.array_f32(l.add_f32(at, room));
         let pace = l.array_f32(pace);
-        let signs = l.signs(dir);
-        let per_t = header.unit;
-        let from = -above(beyond(-ray.tmin) * per_t);
+        let signs = l.signs(dir) as usize;
         let slabs = Slabs {
             pace: each!(k => l.splat_wide(pace[k])),
             enter: each!(k => l.splat_wide(enter[k])),
             leave: each!(k => l.splat_wide(leave[k])),
-            from: l.splat_wide(from),
-            near: each!(k => Row::new(k, signs >> k & 1 != 0)),
-            far: each!(k => Row::new(k, signs >> k & 1 == 0)),
+            from: l.splat_wide(-beyond(-ray.tmin, unit)),
+            near: Row::FIRST[signs % 8],
+            far: Row::FIRST[!signs % 8],
         };
         let descent = Self {
             lanes: l,
-            view,
+            sections: view.sections(),
             ray,
-            sieve: Sieve::new(l, &view.sections(), ray, [org, dir], [lowest, highest]),
+            sieve: None,
             last: header.triangles.count as u32 - LEAF,
-            per_t,
-            to: above(beyond(ray.tmax) * per_t),
-            query,
+            unit,
+            to: beyond(ray.tmax, unit),
+            query: PhantomData,
         };
         Some((descent, slabs))
     }
 
-    /// Goes down from the root; for any hit, `occluders` are met first.
+    /// Goes down from the root; for any hit, `occluders` are met before. The query is not part of
+    /// this record, as exact tests write to it: what is pointed to is in memory, and the rest is
+    /// not to be.
     #[inline(always)]
-    pub fn run(&mut self, slabs: &Slabs<L>, occluders: &[u32]) {
-        if Q::ANY {
-            for few in occluders.chunks(L::WIDE) {
-                let mut left = self.sieve.pass(self.lanes, few);
-                while left != 0 {
-                    if self.decide(few[left.trailing_zeros() as usize]) {
-                        return;
-                    }
-                    left &= left - 1;
-                }
-            }
+    pub fn run(&mut self, slabs: &Slabs<L>, occluders: &[u32], query: &mut Q) {
+        if Q::ANY && self.hidden(occluders, query) {
+            return;
         }
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
-        let sections = self.view.sections();
         let mut part = NODE;
         loop {
             while part & NODE == NODE {
                 let number = part >> PART_SHIFT;
-                let (met, entries) = slabs.meet(self.lanes, &sections, number, self.to);
-                let node = sections.node(number);
-                let Some(next) = self.choose(&sections, node, met, entries, &mut waiting) else {
+                let (met, entries) = slabs.meet(self.lanes, &self.sections, number, self.to);
+                let node = self.sections.node(number);
+                let Some(next) = self.choose(node, met, entries, &mut waiting) else {
                     return;
                 };
                 part = next;
             }
-            if self.leaf(part >> PART_SHIFT, part & NODE) {
+            if self.leaf(part >> PART_SHIFT, part & NODE, query) {
                 return;
             }
             let Some(next) = self.next(&mut waiting) else { return };
@@ -153,12 +155,27 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         }
     }
 
+    /// Whether one of these triangles is all that the query wants.
+    #[inline(always)]
+    fn hidden(&mut self, occluders: &[u32], query: &mut Q) -> bool {
+        let l = self.lanes;
+        for few in occluders.chunks(L::WIDE) {
+            let mut left = self.sieve().pass(l, few);
+            while left != 0 {
+                if self.decide(few[left.trailing_zeros() as usize], query) {
+                    return true;
+                }
+                left &= left - 1;
+            }
+        }
+        false
+    }
+
     /// The nearest of the parts that were met, after which the others wait; without any, the
     /// next that waits.
     #[inline(always)]
     fn choose(
         &self,
-        sections: &Sections<'_>,
         node: &Node,
         mut met: u32,
         entries: [L::Wide; 2],
@@ -177,22 +194,22 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
             while met != 0 {
                 let i = met.trailing_zeros() as usize;
                 met &= met - 1;
-                waiting.push(self.entry(sections, node, &[f32::NEG_INFINITY; PARTS], i));
+                waiting.push(self.entry(node, &[f32::NEG_INFINITY; PARTS], i));
             }
             return Some(node.parts[first]);
         }
         let entries = &self.array(entries);
-        let mut nearest = self.entry(sections, node, entries, first);
+        let mut nearest = self.entry(node, entries, first);
         let second = met.trailing_zeros() as usize;
         met &= met - 1;
         let base = waiting.len();
-        let other = self.entry(sections, node, entries, second);
+        let other = self.entry(node, entries, second);
         waiting.push(nearest.max(other));
         nearest = nearest.min(other);
         while met != 0 {
             let i = met.trailing_zeros() as usize;
             met &= met - 1;
-            let other = self.entry(sections, node, entries, i);
+            let other = self.entry(node, entries, i);
             waiting.insert(base, nearest.max(other));
             nearest = nearest.min(other);
         }
@@ -211,13 +228,13 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
 
     /// A part that is to wait: where the ray enters it, for the order, and its word.
     #[inline(always)]
-    fn entry(&self, sections: &Sections<'_>, node: &Node, entries: &[f32; PARTS], i: usize) -> u64 {
+    fn entry(&self, node: &Node, entries: &[f32; PARTS], i: usize) -> u64 {
         let part = node.parts[i];
         let place = part >> PART_SHIFT;
         if part & NODE == NODE {
-            sections.fetch_node(self.lanes, place);
+            self.sections.fetch_node(self.lanes, place);
         } else {
-            sections.fetch_leaf(self.lanes, place);
+            self.sections.fetch_leaf(self.lanes, place);
         }
         u64::from(entries[i].to_bits() ^ SIGN) << 32 | u64::from(part)
     }
@@ -235,33 +252,64 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
 
     /// Meets the triangles of a leaf; `true` if the query wants no more.
     #[inline(always)]
-    fn leaf(&mut self, first: u32, count: u32) -> bool {
+    fn leaf(&mut self, first: u32, count: u32, query: &mut Q) -> bool {
+        let l = self.lanes;
         // Eight from here on exist, and the leaf's are among them.
         let start = first.min(self.last);
-        let mut left = self.sieve.pass_run(self.lanes, start);
-        if L::WIDE < LEAF as usize {
-            left |= self.sieve.pass_run(self.lanes, start + L::WIDE as u32) << L::WIDE;
-        }
-        left &= !(u32::MAX << count) << (first - start);
-        while left != 0 {
-            if self.decide(start + left.trailing_zeros()) {
-                return true;
+        let mut of_leaf = !(u32::MAX << count) << (first - start);
+        let mut start = start;
+        while of_leaf != 0 {
+            let sieved = self.sieve().run(l, start);
+            let mut left = of_leaf & (u32::MAX >> (32 - L::WIDE)) & !sieved.out;
+            while left != 0 {
+                let i = if Q::ANY {
+                    left.trailing_zeros()
+                } else {
+                    self.sieve().first(l, &sieved, left)
+                };
+                if self.decide(start + i, query) {
+                    return true;
+                }
+                left ^= 1 << i;
+                if left != 0 && !Q::ANY {
+                    left &= self.sieve().again(l, &sieved);
+                }
             }
-            left &= left - 1;
+            if L::WIDE == LEAF as usize {
+                break;
+            }
+            of_leaf >>= L::WIDE;
+            start += L::WIDE as u32;
         }
         false
     }
 
+    /// The ray's sieve.
+    #[inline(always)]
+    fn sieve(&mut self) -> &Sieve<'a> {
+        match &mut self.sieve {
+            Some(sieve) => sieve,
+            none => {
+                let (l, ray) = (self.lanes, self.ray);
+                let [org, dir, _] = ray.rows();
+                let rows = [l.load3(org), l.load3(dir)];
+                none.insert(Sieve::new(l, &self.sections, ray, rows, true))
+            }
+        }
+    }
+
     /// The exact test of what the sieve let through.
     #[inline(always)]
-    fn decide(&mut self, number: u32) -> bool {
-        let triangle = self.view.sections().triangle(number);
-        let Some(enough) = decide(self.lanes, &mut self.query, self.ray, triangle, number) else {
+    fn decide(&mut self, number: u32, query: &mut Q) -> bool {
+        let triangle = self.sections.triangle(number);
+        let Some(enough) = decide(self.lanes, query, self.ray, triangle, number) else {
             return false;
         };
-        let limit = self.query.limit();
-        self.sieve.limit(limit);
-        self.to = above(beyond(limit) * self.per_t);
+        let limit = query.limit();
+        if let Some(sieve) = &mut self.sieve {
+            sieve.limit(limit);
+        }
+        self.to = beyond(limit, self.unit);
         enough
     }
 }

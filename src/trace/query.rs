@@ -51,7 +51,6 @@ pub(crate) struct Closest {
     prim: u32,
     number: u32,
     weights: Option<(f32, f32)>,
-    normal: [f32; 3],
 }
 
 impl Closest {
@@ -62,9 +61,9 @@ impl Closest {
     }
 
     #[inline(always)]
-    fn take(&mut self, met: Met, triangle: &Triangle, number: u32, normal: [f32; 3]) {
+    fn take(&mut self, met: Met, triangle: &Triangle, number: u32) {
         let (Met { t, weights }, Triangle { geom, prim, .. }) = (met, *triangle);
-        *self = Self { limit: t, geom, prim, number, weights, normal };
+        *self = Self { limit: t, geom, prim, number, weights };
     }
 }
 
@@ -78,14 +77,7 @@ impl Query for Closest {
 
     #[inline(always)]
     fn new(ray: &Ray) -> Self {
-        Self {
-            limit: ray.tmax,
-            geom: NONE,
-            prim: NONE,
-            number: NONE,
-            weights: None,
-            normal: [0.0; 3],
-        }
+        Self { limit: ray.tmax, geom: NONE, prim: NONE, number: NONE, weights: None }
     }
 
     #[inline(always)]
@@ -103,7 +95,7 @@ impl Query for Closest {
     ) -> Option<bool> {
         let met = line.meet(apex, triangle, self.limit)?;
         if self.prefers(&met, triangle) {
-            self.take(met, triangle, number, apex.normal());
+            self.take(met, triangle, number);
         }
         Some(false)
     }
@@ -118,7 +110,7 @@ impl Query for Closest {
     ) -> Option<bool> {
         let met = line.meet_in(l, triangle, self.limit)?;
         if self.prefers(&met, triangle) {
-            self.take(met, triangle, number, normal(triangle));
+            self.take(met, triangle, number);
         }
         Some(false)
     }
@@ -128,9 +120,9 @@ impl Query for Closest {
         if self.number == NONE {
             return Self::miss(ray);
         }
-        let weights = || Line::new(ray).weights(sections.triangle(self.number));
-        let (u, v) = self.weights.unwrap_or_else(weights);
-        Hit::in_rows([self.limit, u, v], self.normal, [self.geom, self.prim])
+        let triangle = sections.triangle(self.number);
+        let (u, v) = self.weights.unwrap_or_else(|| Line::new(ray).weights(triangle));
+        Hit::in_rows([self.limit, u, v], normal(triangle), [self.geom, self.prim])
     }
 }
 
@@ -209,10 +201,9 @@ impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, Q> {
     }
 }
 
-/// [`Query::meet`], if the ray may meet the triangle. Cold, and one function for all who ask,
-/// so that registers are not spilled where there is nothing to decide, and the library is smaller.
-#[cold]
-#[inline(never)]
+/// [`Query::meet`], if the ray may meet the triangle. Apart, so that registers are not spilled where
+/// there is nothing to decide, and the library is smaller.
+#[inline(always)]
 pub(super) fn decide<Q: Query, L: Lanes>(
     l: L,
     query: &mut Q,
@@ -220,7 +211,7 @@ pub(super) fn decide<Q: Query, L: Lanes>(
     triangle: &Triangle,
     number: u32,
 ) -> Option<bool> {
-    l.run(Decide { query, ray, triangle, number })
+    l.run_apart(Decide { query, ray, triangle, number })
 }
 
 /// A number above which every parameter rounds to more than `limit`, which is

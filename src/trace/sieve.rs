@@ -2,22 +2,29 @@
 //!
 //! Triangles are sheared so that the ray becomes a coordinate axis (Woop, Benthin &
 //! Wald 2013); a triangle is out if the ray passes two of its edges on opposite sides
-//! by more than the error bound, or if its corners' z all are those of parameters
-//! out of range. A hit is never out: with e = 2^-24 and R the largest distance, along an
-//! axis, from the origin to the scene's box, a sheared coordinate is off by at most
-//! `6.1 e R` (difference 1, slope 1, product 1, third difference 1 twice, in units of
-//! e R). Call d = 8 e R. An edge product of corners i and j is then off by at most
-//! `2 d` times the sum of their `|x|` and `|y|`, and `4 d^2`, its own rounding
-//! included; the bound used is `3 d` times the sum of `|x| + |y| + 2 d` over all three: call it
-//! E. A fused multiply-add only leaves roundings out.
+//! by more than the error bound, or if the place where the ray meets it is out of range. A hit
+//! is never out.
 //!
-//! A triangle is out, too, if the place on it that the ray meets is out of range. The edge
-//! products are that place's weights, so its z is the sum of their products with the corners' z,
-//! `height`, over their sum, `det`. With U the sum of the products' sizes, det is off by at most
-//! `3 E + 3 e U`; with Z the largest |z| of the corners plus that of the range's end,
-//! `height - end det` by `(3 E + 6 e U) Z`. Used are `4 E + 8 e U`, for both, and 2^-100 for what
-//! underflows. An infinite end makes infinities and NaN, which are never out. Scenes so large
-//! or small that `f32` products leave their range are not sieved.
+//! Edges: with e = 2^-24, the slope and the difference z are off by e of their own, the
+//! difference x by e (|x| + |z|), as slopes are 1 at most, and the product and the sum round
+//! once more: a sheared coordinate is off by `e (2 |x| + 4 |z|)`. With S the sum of all
+//! corners' |x| + |y|, Z the largest |z| and F = S + 2 Z, that is less than d = 2.25 e F. An edge
+//! product is then off by at most d times the sum of its corners' |x| + |y|, 2 d^2, and `e S^2 / 2`
+//! for its own roundings, so by less than `1.3 d S + 2 d^2`; the bound used is
+//! `3 e F (S + 5 e F)`, call it E, which is `1.33 d S + 2.9 d^2`. A fused multiply-add only leaves
+//! roundings out.
+//!
+//! Range: edge products are weights of the place that the ray meets, so its z is `height`, the
+//! sum of their products with the corners' z, over their sum, `det`. Each corner is in two
+//! products: they are off by `2.25 E` together. With U the sum of their sizes, det is off by at
+//! most `2.25 E + 3 e U`, and `height - end det` by `(2.25 E + 5 e U) (Z + |end|)`. Where the edges
+//! leave a doubt, U is at most `|det| + 4 E`; used are B = `2.5 E + 5.5 e |det|` for det and 2 Z B for
+//! the other, as if |end| were no more than Z. Where it is more, either the whole triangle is out
+//! of range, or `height - end det` is at most `Z (U - |det|)` and its roundings, less than the bound.
+//!
+//! 2^-100 is added to E and to the other bound for what underflows. An infinite end makes
+//! infinities and NaN, which are never out. Scenes so large that products leave the range of
+//! `f32` are not sieved.
 
 use super::counters::Count;
 use crate::arena::{Axis, Sections};
@@ -26,26 +33,28 @@ use crate::simd::Lanes;
 
 use super::bounds::splat3;
 
-/// Distances within which products of three sheared coordinates, and of two of
-/// their error bounds, stay in the range of `f32`.
-const RANGE: core::ops::Range<f32> = 1e-9..1e12;
+/// Distances below which products of three sheared coordinates stay in the range of `f32`.
+pub(super) const FARTHEST: f32 = 1e12;
 
 /// 2^-100.
 const TINY: f32 = 1.0 / (1u128 << 100) as f32;
+
+/// e of the bounds.
+const E: f32 = f32::EPSILON / 2.0;
 
 /// A ray made ready for sieving triangles.
 #[derive(Clone, Copy)]
 pub struct Sieve<'a> {
     /// The triangles along the axes that are x, y, z of the sheared space.
     axes: [Axis<'a>; 3],
-    /// The origin along these axes; the change of x and of y with z and three times the
-    /// error of a coordinate; the range of z where t is in range.
+    /// The origin along these axes; the change of x and of y with z, and what is added to E;
+    /// the range of minus z where t is in range.
     rows: [[f32; 4]; 3],
-    /// Component z of the direction, and that of `tmin`.
-    dir: f32,
+    /// Minus z for each t, and what is added to the ends of its range, with its sign.
+    pace: f32,
+    slack: f32,
+    /// The range's end where the ray begins.
     start: f32,
-    /// Whether the error bound holds; if not, nothing is out.
-    holds: bool,
 }
 
 /// Triangles to sieve in one go. As many everywhere where tests are counted: a walk may
@@ -61,55 +70,58 @@ const ORDER: [[i32; 4]; 8] = {
     [z, x, y, x, z, x, y, x]
 };
 
-/// The range of z, from that of `tmin` to that of `limit`. A corner's z is off by
-/// one rounding, and so are these.
+/// Whether what the ray has to do with is near enough: no farther from the origin, along an
+/// axis, than [`FARTHEST`]. `lo` and `hi` are the corners of the scene's box; fourth lanes mean
+/// nothing.
 #[inline(always)]
-fn range(start: f32, dir: f32, limit: f32) -> [f32; 2] {
-    let end = limit * dir;
-    let (lo, hi) = if dir > 0.0 { (start, end) } else { (end, start) };
-    // A t next to zero may have been rounded by up to half the least denormal. Not
-    // just that much: processors take long to compute denormals.
-    let least = TINY + dir.abs() * TINY;
-    let room = |x: f32| x.abs() * (4.0 * f32::EPSILON) + least;
-    [lo - room(lo), hi + room(hi)]
+pub(super) fn holds<L: Lanes>(l: L, org: L::F32, [lo, hi]: [L::F32; 2]) -> bool {
+    l.first(l.highest(l.max_f32(l.sub_f32(hi, org), l.sub_f32(org, lo)))) < FARTHEST
 }
 
 impl<'a> Sieve<'a> {
-    /// `org` and `dir` are the ray's, `lo` and `hi` the corners of the scene's box;
-    /// fourth lanes mean nothing.
+    /// `org` and `dir` are the ray's; fourth lanes mean nothing. Unless the bounds hold, nothing
+    /// is out.
     #[inline(always)]
     pub fn new<L: Lanes>(
         l: L,
         sections: &Sections<'a>,
         ray: &Ray,
         [org, dir]: [L::F32; 2],
-        [lo, hi]: [L::F32; 2],
+        holds: bool,
     ) -> Self {
         let size = l.abs_f32(dir);
         let order = &ORDER[l.equals(size, l.highest(size)) as usize];
-        let far = l.first(l.highest(l.max_f32(l.sub_f32(hi, org), l.sub_f32(org, lo))));
         let (org, dir) = (l.permute(org, order), l.permute(dir, order));
-        let slope = l.div_f32(dir, l.permute(dir, &[2; 4]));
-        // The difference may have rounded down: 8.01 makes up for it.
-        let error = far * (8.01 / (1 << 24) as f32);
-        let dir = l.first(l.permute(dir, &[2; 4]));
-        let start = ray.tmin * dir;
+        let longest = l.permute(dir, &[2; 4]);
+        let slope = l.div_f32(dir, longest);
         let axis = |k: usize| sections.axis(order[k] as usize);
-        let holds = (RANGE.start < far) & (far < RANGE.end);
-        let mut rows =
-            [l.array_f32(org), l.array_f32(slope), [f32::NEG_INFINITY, f32::INFINITY, 0.0, 0.0]];
-        rows[1][2] = if holds { 3.0 * error } else { f32::INFINITY };
-        let mut sieve = Self { axes: [axis(0), axis(1), axis(2)], rows, dir, start, holds };
+        let mut rows = [l.array_f32(org), l.array_f32(slope), [0.0; 4]];
+        rows[1][2] = if holds { TINY } else { f32::INFINITY };
+        let pace = -l.first(longest);
+        // A t next to zero may have been rounded by up to half the least denormal. Not
+        // just that much: processors take long to compute denormals.
+        let slack = (TINY + pace.abs() * TINY).copysign(pace);
+        let axes = [axis(0), axis(1), axis(2)];
+        let mut sieve = Self { axes, rows, pace, slack, start: 0.0 };
+        sieve.start = -sieve.end(-ray.tmin);
         sieve.limit(ray.tmax);
         sieve
+    }
+
+    /// Minus z at t, and a little farther. A corner's z is off by one rounding, and so is this.
+    #[inline(always)]
+    fn end(&self, t: f32) -> f32 {
+        let end = t * self.pace;
+        end + ((end.abs() * (4.0 * f32::EPSILON)).copysign(self.pace) + self.slack)
     }
 
     /// Sets the largest t of interest.
     #[inline(always)]
     pub fn limit(&mut self, limit: f32) {
-        if self.holds {
-            [self.rows[2][0], self.rows[2][1]] = range(self.start, self.dir, limit);
-        }
+        let (start, end) = (self.start, self.end(limit));
+        let ascends = self.pace > 0.0;
+        self.rows[2][0] = if ascends { start } else { end };
+        self.rows[2][1] = if ascends { end } else { start };
     }
 
     /// One bit for each of at most [`Lanes::WIDE`] triangles, from references, that
@@ -118,7 +130,7 @@ impl<'a> Sieve<'a> {
     pub fn pass<L: Lanes>(&self, l: L, refs: &[u32]) -> u32 {
         let all = (1u32 << refs.len()) - 1;
         // One alone is decided nearly as soon as it is sieved.
-        if !self.holds | (refs.len() == 1) {
+        if refs.len() == 1 {
             return all;
         }
         let rows = l.thrice(refs);
@@ -130,17 +142,12 @@ impl<'a> Sieve<'a> {
         ];
         let [org, slope, range] = &self.rows;
         let rays = [splat3(l, org), splat3(l, slope), splat3(l, range)];
-        all & !misses(l, rays, triangles)
+        all & !Sieved::new(l, rays, triangles).out
     }
 
-    /// One bit for each of [`Lanes::WIDE`] triangles, from number `first` on, that the ray may
-    /// meet in range.
+    /// [`Lanes::WIDE`] triangles, from number `first` on.
     #[inline(always)]
-    pub fn pass_run<L: Lanes>(&self, l: L, first: u32) -> u32 {
-        let all = u32::MAX >> (32 - L::WIDE);
-        if !self.holds {
-            return all;
-        }
+    pub fn run<L: Lanes>(&self, l: L, first: u32) -> Sieved<L> {
         let [x, y, z] = &self.axes;
         let triangles = [
             l.columns(|i| x.row(3 * (first + i as u32))),
@@ -149,7 +156,39 @@ impl<'a> Sieve<'a> {
         ];
         let [org, slope, range] = &self.rows;
         let rays = [splat3(l, org), splat3(l, slope), splat3(l, range)];
-        all & !misses(l, rays, triangles)
+        Sieved::new(l, rays, triangles)
+    }
+
+    /// That of some of these triangles, a bit each, which the ray seems to meet first: exact tests
+    /// of the others may then be spared.
+    #[inline(always)]
+    pub fn first<L: Lanes>(&self, l: L, sieved: &Sieved<L>, among: u32) -> u32 {
+        let mut first = among.trailing_zeros();
+        let mut others = among & among.wrapping_sub(1);
+        if let (Some(place), true) = (&sieved.place, others != 0) {
+            let mut times = [0.0; 8];
+            let pace = l.mul_wide(place.det, l.splat_wide(self.pace));
+            l.store_wide(l.div_wide(place.height, pace), &mut times);
+            while others != 0 {
+                let other = others.trailing_zeros();
+                others &= others - 1;
+                if times[other as usize % 8] < times[first as usize % 8] {
+                    first = other;
+                }
+            }
+        }
+        first
+    }
+
+    /// One bit for each of these triangles that the ray may meet in range as it is by now, if it
+    /// was so before.
+    #[inline(always)]
+    pub fn again<L: Lanes>(&self, l: L, sieved: &Sieved<L>) -> u32 {
+        let [lo, hi, ..] = self.rows[2];
+        match &sieved.place {
+            Some(place) => !place.out(l, [l.splat_wide(lo), l.splat_wide(hi)]),
+            None => u32::MAX,
+        }
     }
 
     /// One bit for each of [`Lanes::WIDE`] triangles, from references, that a ray of its own
@@ -170,57 +209,90 @@ impl<'a> Sieve<'a> {
             l.columns(|i| &sieve(i).rows[1]),
             l.columns(|i| &sieve(i).rows[2]),
         ];
-        misses(l, rays, triangles) ^ (u32::MAX >> (32 - L::WIDE))
+        Sieved::new(l, rays, triangles).out ^ (u32::MAX >> (32 - L::WIDE))
     }
 }
 
 /// Coordinates of several triangles: axis by axis those of the corners.
 type Triangles<L> = [[<L as Lanes>::Wide; 3]; 3];
 
-/// One bit for each triangle that its ray misses; `rays` are in the order of
-/// [`Sieve::rows`].
-#[inline(always)]
-fn misses<L: Lanes>(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> u32 {
-    let [org, [sx, sy, error], [lo, hi, _]] = rays;
-    let slope = [sx, sy];
-    let a = shear(l, org, slope, [xs[0], ys[0], zs[0]]);
-    let b = shear(l, org, slope, [xs[1], ys[1], zs[1]]);
-    let c = shear(l, org, slope, [xs[2], ys[2], zs[2]]);
-    let ab = l.cross_wide(a.x, b.y, a.y, b.x);
-    let bc = l.cross_wide(b.x, c.y, b.y, c.x);
-    let ca = l.cross_wide(c.x, a.y, c.y, a.x);
-    let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
-    let error = l.mul_wide(error, l.add_wide(size, l.add_wide(error, error)));
-    let most = l.max_wide(l.max_wide(ab, bc), ca);
-    let least = l.min_wide(l.min_wide(ab, bc), ca);
-    let zero = l.splat_wide(0.0);
-    let minus_least = l.sub_wide(zero, least);
-    let beside = l.misses([most, error], minus_least, [zero, zero], [zero, zero]);
-    let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
-    let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
-    if !L::REGISTERS {
-        return beside | l.misses([zero, zero], zero, [far, lo], [near, hi]);
-    }
-    // The hit's z times the determinant, and the determinant, of which each product is a weight.
-    let det = l.add_wide(l.add_wide(ab, bc), ca);
-    let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
-    let sizes = l.add_wide(l.add_wide(l.abs_wide(ab), l.abs_wide(bc)), l.abs_wide(ca));
-    let error = l.add_wide(error, error);
-    let error = l.mul_add_wide(sizes, l.splat_wide(4.0 * f32::EPSILON), l.add_wide(error, error));
-    let depth = l.max_wide(l.abs_wide(near), l.abs_wide(far));
-    let size = l.abs_wide(det);
-    let height = l.choose_wide(zero, det, height, l.sub_wide(zero, height));
-    let tiny = l.splat_wide(TINY);
-    let before = l.mul_add_wide(l.add_wide(depth, l.abs_wide(lo)), error, tiny);
-    let behind = l.mul_add_wide(l.add_wide(depth, l.abs_wide(hi)), error, tiny);
-    let before = l.sub_wide(l.sub_wide(l.mul_wide(lo, size), height), before);
-    let behind = l.sub_wide(l.sub_wide(height, l.mul_wide(hi, size)), behind);
-    let certain = l.sub_wide(size, error);
-    let out = l.max_wide(before, behind);
-    beside | l.misses([out, zero], certain, [far, lo], [near, hi])
+/// What a sieve finds.
+pub(super) struct Sieved<L: Lanes> {
+    /// One bit for each triangle that its ray misses.
+    pub out: u32,
+    /// Where lanes are registers.
+    place: Option<Place<L>>,
 }
 
-/// Corners of triangles, sheared.
+/// Where rays meet triangles that they do not pass: minus z, times the determinant's size, that,
+/// and bounds of their errors.
+#[derive(Clone, Copy)]
+struct Place<L: Lanes> {
+    height: L::Wide,
+    det: L::Wide,
+    height_error: L::Wide,
+    det_error: L::Wide,
+}
+
+impl<L: Lanes> Sieved<L> {
+    /// `rays` are in the order of [`Sieve::rows`].
+    #[inline(always)]
+    fn new(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> Self {
+        let [org, [sx, sy, tiny], [lo, hi, _]] = rays;
+        let slope = [sx, sy];
+        let a = shear(l, org, slope, [xs[0], ys[0], zs[0]]);
+        let b = shear(l, org, slope, [xs[1], ys[1], zs[1]]);
+        let c = shear(l, org, slope, [xs[2], ys[2], zs[2]]);
+        let ab = l.cross_wide(a.x, b.y, a.y, b.x);
+        let bc = l.cross_wide(b.x, c.y, b.y, c.x);
+        let ca = l.cross_wide(c.x, a.y, c.y, a.x);
+        let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
+        let depth = l.max_wide(l.max_wide(l.abs_wide(a.z), l.abs_wide(b.z)), l.abs_wide(c.z));
+        let twice = l.add_wide(depth, depth);
+        let far = l.add_wide(size, twice);
+        let error = l.mul_wide(far, l.splat_wide(3.0 * E));
+        let error = l.mul_add_wide(error, l.mul_add_wide(far, l.splat_wide(5.0 * E), size), tiny);
+        let most = l.max_wide(l.max_wide(ab, bc), ca);
+        let least = l.min_wide(l.min_wide(ab, bc), ca);
+        let zero = l.splat_wide(0.0);
+        let beside = [l.min_wide(most, l.sub_wide(zero, least)), error];
+        if !L::REGISTERS {
+            let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
+            let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
+            let apart = l.max_wide(l.sub_wide(near, hi), l.sub_wide(lo, far));
+            let out = l.misses(beside, [apart, zero], [l.splat_wide(1.0), zero]);
+            return Self { out, place: None };
+        }
+        let det = l.add_wide(l.add_wide(ab, bc), ca);
+        let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
+        let height = l.turn_wide(height, det);
+        let det = l.abs_wide(det);
+        let error = l.mul_wide(error, l.splat_wide(2.5));
+        let det_error = l.mul_add_wide(det, l.splat_wide(5.5 * E), error);
+        let height_error = l.mul_add_wide(twice, det_error, l.splat_wide(TINY));
+        let place = Place { height, det, height_error, det_error };
+        Self { out: place.out_or(l, beside, [lo, hi]), place: Some(place) }
+    }
+}
+
+impl<L: Lanes> Place<L> {
+    /// One bit for each that is out of range, or in which `a > b`.
+    #[inline(always)]
+    fn out_or(&self, l: L, ab: [L::Wide; 2], [lo, hi]: [L::Wide; 2]) -> u32 {
+        let before = l.product_less(lo, self.det, self.height);
+        let behind = l.less_product(self.height, hi, self.det);
+        let beyond = [l.max_wide(before, behind), self.height_error];
+        l.misses(ab, beyond, [self.det, self.det_error])
+    }
+
+    /// One bit for each that is out of range.
+    #[inline(always)]
+    fn out(&self, l: L, range: [L::Wide; 2]) -> u32 {
+        self.out_or(l, [self.det, self.det], range)
+    }
+}
+
+/// Corners of triangles, sheared, all coordinates negated.
 #[inline(always)]
 fn shear<L: Lanes>(
     l: L,
@@ -228,9 +300,9 @@ fn shear<L: Lanes>(
     slope: [L::Wide; 2],
     [x, y, z]: [L::Wide; 3],
 ) -> Corner<L> {
-    let z = l.sub_wide(z, org[2]);
-    let x = l.less_product(l.sub_wide(x, org[0]), slope[0], z);
-    let y = l.less_product(l.sub_wide(y, org[1]), slope[1], z);
+    let z = l.sub_wide(org[2], z);
+    let x = l.less_product(l.sub_wide(org[0], x), slope[0], z);
+    let y = l.less_product(l.sub_wide(org[1], y), slope[1], z);
     Corner { x, y, z, size: l.add_wide(l.abs_wide(x), l.abs_wide(y)) }
 }
 

@@ -1,5 +1,7 @@
 //! One ray at a time.
 
+use core::marker::PhantomData;
+
 use super::counters::{Count, Counters, Uncounted};
 use super::descent::Descent;
 use super::profile::Profile;
@@ -52,7 +54,7 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
 struct Down<'a, Q> {
     view: &'a View<'a>,
     ray: &'a Ray,
-    query: Q,
+    query: PhantomData<Q>,
 }
 
 impl<Q: Query> AnyKernel for Down<'_, Q> {
@@ -60,10 +62,11 @@ impl<Q: Query> AnyKernel for Down<'_, Q> {
     const BEST: Isa = Isa::Avx2;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Option<Q::Out> {
-        let Self { view, ray, query } = self;
-        let (mut descent, slabs) = Descent::new(lanes, view, ray, query)?;
-        descent.run(&slabs, view.header().occluders());
-        Some(descent.query.found(&view.sections(), ray))
+        let Self { view, ray, .. } = self;
+        let (mut descent, slabs) = Descent::<Q, L>::new(lanes, view, ray)?;
+        let mut query = Q::new(ray);
+        descent.run(&slabs, view.header().occluders(), &mut query);
+        Some(query.found(&view.sections(), ray))
     }
 
     // As with streams: where another set is nearly always there, this would be but size.
@@ -118,7 +121,7 @@ impl View<'_> {
                 return self.among_all::<Q>(ray);
             }
             if self.header().nodes.count > 0 && !C::COUNTS {
-                let down = dispatch(Down { view: self, ray, query: Q::new(ray) });
+                let down = dispatch(Down::<Q> { view: self, ray, query: PhantomData });
                 if let Some(found) = down {
                     return found;
                 }

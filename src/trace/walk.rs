@@ -19,7 +19,7 @@ use super::course::Course;
 use super::decided::Decided;
 use super::local::{Boxes, Local, Span};
 use super::query::{Query, beyond, decide};
-use super::sieve::{Sieve, chunk};
+use super::sieve::{Sieve, chunk, holds};
 use crate::arena::layout::{EMPTY, GRID_BIT, LIST, PAYLOAD, TAG_SHIFT};
 use crate::arena::{Sections, View};
 use crate::ray::Ray;
@@ -91,12 +91,13 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
         let [org, dir, _] = ray.rows();
         let (org, dir) = (l.load3(org), l.load3(dir));
         let [lo, hi] = view.header().corners();
+        let holds = holds(l, org, [l.load_f32(lo), l.load_f32(hi)]);
         let sections = view.sections();
         Self {
             lanes: l,
             sections,
             ray,
-            sieve: Sieve::new(l, &sections, ray, [org, dir], [l.load_f32(lo), l.load_f32(hi)]),
+            sieve: Sieve::new(l, &sections, ray, [org, dir], holds),
             course: Course::new(l, org, dir, view.header().unit),
             decided: Decided::NONE,
             query,

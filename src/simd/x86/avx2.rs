@@ -48,20 +48,12 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn misses(
-        self,
-        [a, b]: [__m256; 2],
-        c: __m256,
-        [d, e]: [__m256; 2],
-        [f, g]: [__m256; 2],
-    ) -> u32 {
+    fn misses(self, [a, b]: [__m256; 2], [c, d]: [__m256; 2], [e, f]: [__m256; 2]) -> u32 {
         with!({
             let ab = _mm256_cmp_ps::<_CMP_GT_OQ>(a, b);
-            let cb = _mm256_cmp_ps::<_CMP_GT_OQ>(c, b);
-            let de = _mm256_cmp_ps::<_CMP_LT_OQ>(d, e);
-            let fg = _mm256_cmp_ps::<_CMP_GT_OQ>(f, g);
-            let out = _mm256_or_ps(_mm256_and_ps(ab, cb), _mm256_or_ps(de, fg));
-            _mm256_movemask_ps(out) as u32
+            let cd = _mm256_cmp_ps::<_CMP_GT_OQ>(c, d);
+            let ef = _mm256_cmp_ps::<_CMP_GT_OQ>(e, f);
+            _mm256_movemask_ps(_mm256_or_ps(ab, _mm256_and_ps(cd, ef))) as u32
         })
     }
 }

@@ -16,6 +16,7 @@ shell! {
 impl Lanes for Avx512 {
     four_lanes!();
     eight_lanes!();
+    const MASKS: bool = true;
 
     #[inline(always)]
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]) {
@@ -32,19 +33,11 @@ impl Lanes for Avx512 {
     }
 
     #[inline(always)]
-    fn misses(
-        self,
-        [a, b]: [__m256; 2],
-        c: __m256,
-        [d, e]: [__m256; 2],
-        [f, g]: [__m256; 2],
-    ) -> u32 {
+    fn misses(self, [a, b]: [__m256; 2], [c, d]: [__m256; 2], [e, f]: [__m256; 2]) -> u32 {
         with!({
             let ab = _mm256_cmp_ps_mask::<_CMP_GT_OQ>(a, b);
-            let beside = _mm256_mask_cmp_ps_mask::<_CMP_GT_OQ>(ab, c, b);
-            let before = _mm256_cmp_ps_mask::<_CMP_LT_OQ>(d, e);
-            let behind = _mm256_cmp_ps_mask::<_CMP_GT_OQ>(f, g);
-            u32::from(beside | before | behind)
+            let cd = _mm256_cmp_ps_mask::<_CMP_GT_OQ>(c, d);
+            u32::from(ab | _mm256_mask_cmp_ps_mask::<_CMP_GT_OQ>(cd, e, f))
         })
     }
 }

@@ -140,6 +140,14 @@ macro_rules! eight_lanes {
             with!(_mm256_fnmadd_ps(b, c, a))
         }
         #[inline(always)]
+        fn product_less(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            with!(_mm256_fmsub_ps(a, b, c))
+        }
+        #[inline(always)]
+        fn turn_wide(self, a: __m256, b: __m256) -> __m256 {
+            with!(_mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0), b)))
+        }
+        #[inline(always)]
         fn cross_wide(self, a: __m256, b: __m256, c: __m256, d: __m256) -> __m256 {
             with!(_mm256_fmsub_ps(a, b, _mm256_mul_ps(c, d)))
         }

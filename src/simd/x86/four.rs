@@ -18,6 +18,10 @@ macro_rules! four_lanes {
             with!(compiled(kernel, self))
         }
         #[inline(always)]
+        fn run_apart<K: Kernel<Self>>(self, kernel: K) -> K::Out {
+            with!(compiled_apart(kernel, self))
+        }
+        #[inline(always)]
         fn load_f64(self, a: &[f64; 4]) -> __m256d {
             with!(_mm256_loadu_pd(a.as_ptr()))
         }

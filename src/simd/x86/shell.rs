@@ -1,7 +1,7 @@
 //! What makes an instruction set one: its proof, and kernels compiled for it.
 
-/// A type whose values prove that the processor has these features, and `compiled`,
-/// which runs a kernel compiled for them.
+/// A type whose values prove that the processor has these features, and `compiled`
+/// and `compiled_apart`, which run a kernel compiled for them.
 macro_rules! shell {
     ($(#[$doc:meta])* $name:ident: $($feature:tt),+) => {
         $(#[$doc])*
@@ -30,6 +30,13 @@ macro_rules! shell {
 
         #[target_feature($(enable = $feature),+)]
         fn compiled<K: Kernel<$name>>(kernel: K, lanes: $name) -> K::Out {
+            kernel.run(lanes)
+        }
+
+        #[cold]
+        #[inline(never)]
+        #[target_feature($(enable = $feature),+)]
+        fn compiled_apart<K: Kernel<$name>>(kernel: K, lanes: $name) -> K::Out {
             kernel.run(lanes)
         }
     };

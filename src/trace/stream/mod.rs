@@ -134,7 +134,7 @@ impl<Q: Query, L: Lanes> Kernel<L> for Apart<'_, '_, Q> {
             n: end,
             columns: &mut columns,
             flights: &mut [Flight::<Q, L>::new(nowhere, 0, course); SLOTS],
-            sieves: &mut [Sieve::new(lanes, &sections, &nowhere, rows, rows); SLOTS],
+            sieves: &mut [Sieve::new(lanes, &sections, &nowhere, rows, true); SLOTS],
             frames: &mut [Frame::NONE; FRAMES],
             depth,
             lists: &mut lists,

@@ -4,7 +4,7 @@ use super::super::counters::Uncounted;
 use super::super::course::{Course, Mirror};
 use super::super::local::Local;
 use super::super::query::{Query, beyond, decide, usable};
-use super::super::sieve::Sieve;
+use super::super::sieve::{Sieve, holds};
 use super::super::turned::{Turned, turned};
 use super::columns::SLOTS;
 use super::flight::{Flight, Frame};
@@ -135,8 +135,8 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         let header = self.view.header();
         let course = Course::new(l, rows[0], rows[1], header.unit);
         let [lo, hi] = header.corners();
-        let corners = [l.load_f32(lo), l.load_f32(hi)];
-        self.sieves[slot] = Sieve::new(l, &self.sections, &ray, rows, corners);
+        let holds = holds(l, rows[0], [l.load_f32(lo), l.load_f32(hi)]);
+        self.sieves[slot] = Sieve::new(l, &self.sections, &ray, rows, holds);
         self.flights[slot] = Flight::new(ray, index, course);
         if Q::ANY && self.is_hidden(slot) {
             return false;
