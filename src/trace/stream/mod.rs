@@ -6,7 +6,8 @@
 //! boxes where a ray looks at a list (`meet`), and pairs of any ray and any triangle
 //! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
 //! (`ways`), so that few lanes idle, however different the rays are. Rays that are much the
-//! same go together instead (`super::packet`).
+//! same go together instead (`super::packet`), and in a scene with a tree of boxes those that are
+//! not go down that one by one, where it is quicker.
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
 //! defines (in an arena that a build wrote: what a forged one says may depend on the ray's
@@ -20,6 +21,8 @@ mod pairs;
 mod recent;
 mod round;
 mod ways;
+
+use core::ops::Range;
 
 use super::counters::{Count, Counters, Uncounted, best};
 use super::course::Course;
@@ -77,6 +80,9 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, n } = self;
         let together = !Q::ANY && packet::suits(view);
+        // In a tree, rays one by one are quicker than some dozens in the grids; not for the closest
+        // hits where these have comparisons into masks.
+        let alone = view.header().nodes.count > 0 && (Q::ANY || !L::MASKS);
         let (mut next, mut apart) = (0, APART);
         while next < n {
             let mut end = n;
@@ -91,7 +97,9 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
                 let most = if progress.alike { MOST_ALIKE } else { MOST };
                 apart = most.min(2 * apart);
             }
-            if next < end {
+            if next < end && alone {
+                view.one_by_one::<Q, _>(port, next..end, &mut Uncounted);
+            } else if next < end {
                 run_in_own_frame(lanes, Apart::<Q> { view, port: &mut *port, first: next, end });
             }
             next = end;
@@ -102,7 +110,7 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     // fast, and its kernels would be a twelfth of the library.
     #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
     fn run_portable(self) {
-        self.view.one_by_one::<Q, _>(self.port, self.n, &mut Uncounted);
+        self.view.one_by_one::<Q, _>(self.port, 0..self.n, &mut Uncounted);
     }
 }
 
@@ -230,18 +238,20 @@ impl View<'_> {
             if self.header().grids.count > 0 && n >= FEW && !C::COUNTS {
                 dispatch(Run::<Q> { view: self, port, n });
             } else {
-                self.one_by_one::<Q, C>(port, n, counters);
+                self.one_by_one::<Q, C>(port, 0..n, counters);
             }
         });
     }
 
+    /// Not inlined, as several kinds of streams come to it.
+    #[inline(never)]
     fn one_by_one<Q: Query, C: Count>(
         &self,
         port: &mut dyn Port<Q::Out>,
-        n: usize,
+        rays: Range<usize>,
         counters: &mut C,
     ) {
-        for i in 0..n {
+        for i in rays {
             let answer = self.single::<Q, C>(&port.ray(i), counters);
             port.put(i, answer);
         }
