@@ -1566,10 +1566,11 @@ hug_status hug_most_steps(const hug_scene *scene,
  * Results are those of hug_intersect, bit for bit, in the order of the rays.
  * With a NULL pointer nothing is done.
  *
- * Up to 32 rays are under way at a time. Some dozens of rays or more take less time so
- * than in calls of their own, be they alike or not: about half. Where 64 rays in a row
- * come from one point and go much the same way, as tiles of 8 by 8 pixels of a camera
- * do, they go together, and take a third to a seventh. It takes up to 48 kB of stack.
+ * Where 64 rays in a row come from one point and go much the same way, as tiles of 8 by 8
+ * pixels of a camera do, they go together, and take a third of the time of calls of their
+ * own, or less. Others take about that time in a scene with a tree of boxes
+ * (HUG_BUILD_TREE); in one without, up to 32 are under way at a time, and some dozens or
+ * more take about half of it. It takes up to 48 kB of stack.
  *
  * # Safety
  * The rays must be readable and the hits writable, at their strides.

@@ -32,7 +32,8 @@ const MARGIN: f32 = 1.0 / (1 << 20) as f32;
 const FASTEST: f32 = (1 << 20) as f32;
 /// 2^-115.
 const LEAST_SPEED: f32 = f32::from_bits((127 - 115) << 23);
-/// Flipped, it lets what is entered before the ray begins come first: where its origin is.
+/// Flipped, it lets what is entered at a negative tau come first: where tau 0 is, or before it,
+/// in whatever order.
 const SIGN: u32 = 1 << 31;
 /// Parts that wait: seven of each node on the way, and one.
 const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;

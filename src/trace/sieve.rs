@@ -11,7 +11,7 @@
 //! corners' |x| + |y|, Z the largest |z| and F = S + 2 Z, that is less than d = 2.25 e F. An edge
 //! product is then off by at most d times the sum of its corners' |x| + |y|, 2 d^2, and `e S^2 / 2`
 //! for its own roundings, so by less than `1.3 d S + 2 d^2`; the bound used is
-//! `3 e F (S + 5 e F)`, call it E, which is `1.33 d S + 2.9 d^2`. A fused multiply-add only leaves
+//! `3 e F (S + 5 e F)`, call it E, which is `1.33 d S + 2.96 d^2`. A fused multiply-add only leaves
 //! roundings out.
 //!
 //! Range: edge products are weights of the place that the ray meets, so its z is `height`, the
@@ -22,9 +22,12 @@
 //! the other, as if |end| were no more than Z. Where it is more, either the whole triangle is out
 //! of range, or `height - end det` is at most `Z (U - |det|)` and its roundings, less than the bound.
 //!
-//! 2^-100 is added to E and to the other bound for what underflows. An infinite end makes
-//! infinities and NaN, which are never out. Scenes so large that products leave the range of
-//! `f32` are not sieved.
+//! 2^-100 is added to E and to the other bound for what underflows: of scenes less than some
+//! 1e-10 long little is out. An infinite end makes infinities and NaN, which are never out. Of
+//! scenes so large that products leave the range of `f32` nothing is out either, but what is by z.
+//!
+//! Where lanes are arrays, only the corners' own z are held against the range: they are off by a
+//! rounding each, for which its ends have room.
 
 use super::counters::Count;
 use crate::arena::{Axis, Sections};
@@ -79,8 +82,8 @@ pub(super) fn holds<L: Lanes>(l: L, org: L::F32, [lo, hi]: [L::F32; 2]) -> bool 
 }
 
 impl<'a> Sieve<'a> {
-    /// `org` and `dir` are the ray's; fourth lanes mean nothing. Unless the bounds hold, nothing
-    /// is out.
+    /// `org` and `dir` are the ray's; fourth lanes mean nothing. What does not [`hold`](holds) is
+    /// out by z at most.
     #[inline(always)]
     pub fn new<L: Lanes>(
         l: L,

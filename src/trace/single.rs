@@ -50,6 +50,38 @@ impl<Q: Query, C: Count> AnyKernel for Single<'_, Q, C> {
     }
 }
 
+/// A query of one ray in a scene of a few triangles.
+struct Among<'a, Q> {
+    view: &'a View<'a>,
+    ray: &'a Ray,
+    query: PhantomData<Q>,
+}
+
+impl<Q: Query> AnyKernel for Among<'_, Q> {
+    type Out = Q::Out;
+    const BEST: Isa = Isa::Avx2;
+    #[inline(always)]
+    fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
+        let Self { view, ray, .. } = self;
+        if !usable(lanes, ray) {
+            return Q::miss(ray);
+        }
+        let line = Line::new(ray);
+        let mut query = Q::new(ray);
+        for (number, triangle) in (0..).zip(view.triangles()) {
+            if visible(ray, triangle) && query.meet_in(lanes, &line, triangle, number) == Some(true)
+            {
+                break;
+            }
+        }
+        query.found(&view.sections(), ray)
+    }
+
+    fn run_portable(self) -> Q::Out {
+        self.view.among_all::<Q>(self.ray)
+    }
+}
+
 /// A query of one ray in a scene that has a tree; `None` if the ray is to walk.
 struct Down<'a, Q> {
     view: &'a View<'a>,
@@ -118,7 +150,7 @@ impl View<'_> {
         }
         fpenv::with_default(|| {
             if self.header().triangles.count <= FEW && !C::COUNTS {
-                return self.among_all::<Q>(ray);
+                return dispatch(Among::<Q> { view: self, ray, query: PhantomData });
             }
             if self.header().nodes.count > 0 && !C::COUNTS {
                 let down = dispatch(Down::<Q> { view: self, ray, query: PhantomData });

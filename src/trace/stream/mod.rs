@@ -172,12 +172,13 @@ impl<Out> Port<Out> for Slices<'_, Out> {
 }
 
 impl View<'_> {
-    /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit. Some
-    /// dozens of rays or more take less time so than one by one, alike or not: about half.
-    /// Where 64 rays in a row come from one point and go much the same way, as tiles of
-    /// 8 by 8 pixels of a camera do, they go together, and take a third to a seventh. If there
-    /// are more rays than hits, or the reverse, the rest is left alone. Takes up to 48 kB of
-    /// stack.
+    /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit. Where 64
+    /// rays in a row come from one point and go much the same way, as tiles of 8 by 8 pixels
+    /// of a camera do, they go together, and take a third of the time of single rays, or less.
+    /// Others take about that time in a scene with a tree of boxes
+    /// ([`Options::tree`](crate::Options::tree)); in one without, some dozens or more take about
+    /// half of it. If there are more rays than hits, or the reverse, the rest is left alone. Takes
+    /// up to 48 kB of stack.
     pub fn intersect_n(&self, rays: &[Ray], hits: &mut [Hit]) {
         let n = rays.len().min(hits.len());
         self.intersect_port(&mut Slices { rays, answers: hits }, n, &mut Uncounted);
