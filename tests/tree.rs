@@ -53,7 +53,10 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
         let scene = build(&mesh, &options());
         let bytes = scene.view().bytes();
         let (mut node, mut triangle) = (1, 0);
-        for (_, _, word) in parts(bytes) {
+        // Of a node by their places.
+        let mut parts = parts(bytes);
+        parts.sort_unstable_by_key(|&(number, _, word)| (number, word));
+        for (_, _, word) in parts {
             let (place, len) = (word >> 4, word & 15);
             if len == IS_NODE {
                 assert_eq!(place, node, "{name}");
@@ -74,6 +77,24 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
 fn bounds(bytes: &[u8], number: usize, part: usize) -> [f32; 6] {
     let at = record(bytes, NODES, number) + 4 * part;
     [0, 1, 2, 3, 4, 5].map(|row| f32::from_bits(get32(bytes, at + 32 * row)))
+}
+
+/// Where any hit will do, it is most likely to be in the largest part.
+#[test]
+fn the_largest_part_is_first() {
+    for (name, mesh) in meshes() {
+        let scene = build(&mesh, &options());
+        let bytes = scene.view().bytes();
+        let mut last = (0, f64::INFINITY);
+        for (number, at, word) in parts(bytes) {
+            let part = (at - record(bytes, NODES, number) - PARTS.start) / 4;
+            let b = bounds(bytes, number, part).map(f64::from);
+            let [x, y, z] = [b[1] - b[0], b[3] - b[2], b[5] - b[4]];
+            let surface = if word == 0 { -1.0 } else { x * y + y * z + z * x };
+            assert!(number != last.0 || surface <= last.1, "{name}: node {number}, part {part}");
+            last = (number, surface);
+        }
+    }
 }
 
 #[test]
@@ -166,8 +187,8 @@ fn rays_that_walk() {
     }
 }
 
-/// Boxes that nothing meets hide all from rays on their own, so that is where these look; all
-/// else looks in the grids.
+/// Boxes that nothing meets hide all from rays on their own and from streams for any hit, so
+/// that is where these look; what is counted looks in the grids.
 #[test]
 fn who_takes_the_tree() {
     let mesh = soups::clustered(500);
@@ -182,18 +203,24 @@ fn who_takes_the_tree() {
         }
     }
     let view = View::open(&forged).expect("bounds are not checked");
-    let mut hits = [0; 2];
+    let (mut hits, mut rays) = ([0; 3], Vec::new());
     for (_, one) in adversarial_rays(&mesh, 7, 50) {
         let one = ray(&one);
+        rays.push(one);
         let mut counters = Counters::default();
         let counted = view.intersect_counted(&one, &mut counters);
         hits[0] += usize::from(counted.is_hit());
         hits[1] += usize::from(view.intersect(&one).is_hit());
     }
+    let mut occluded = vec![false; rays.len()];
+    view.occluded_n(&rays, &mut occluded);
+    hits[2] = occluded.iter().filter(|&&hit| hit).count();
     assert!(hits[0] > 100, "{hits:?}");
     // The portable code of these processors has no descent.
     let descends = hug::isa() != hug::Isa::Portable;
-    assert!(if descends { 2 * hits[1] < hits[0] } else { hits[0] == hits[1] }, "{hits:?}");
+    for some in &hits[1..] {
+        assert!(if descends { 2 * some < hits[0] } else { hits[0] == *some }, "{hits:?}");
+    }
 }
 
 /// Asserts that the bytes no longer open once a word was replaced.
