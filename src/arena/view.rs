@@ -8,8 +8,7 @@
 //! reference names an existing triangle or a later grid; exit boxes lie in their
 //! grids; if a grid is turned there is a frame for each; parts of nodes name nodes and
 //! triangles that exist, and where there are nodes there are eight triangles at least.
-//! The accessors below rely on
-//! it instead of testing bounds.
+//! The accessors below rely on it instead of testing bounds.
 
 use core::marker::PhantomData;
 

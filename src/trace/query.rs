@@ -189,15 +189,26 @@ impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, Q> {
     #[inline(always)]
     fn run(self, l: L) -> Option<bool> {
         let Self { query, ray, triangle, number } = self;
-        if !visible(ray, triangle) {
-            return None;
-        }
-        let line = &Line::new(ray);
-        if L::REGISTERS {
-            query.meet_in(l, line, triangle, number)
-        } else {
-            query.meet(line, triangle, number)
-        }
+        meet_visible(l, query, (ray, &Line::new(ray)), triangle, number)
+    }
+}
+
+/// [`Query::meet`], in lanes where these are registers, if the ray, along its line, may meet the
+/// triangle.
+#[inline(always)]
+pub(super) fn meet_visible<Q: Query, L: Lanes>(
+    l: L,
+    query: &mut Q,
+    (ray, line): (&Ray, &Line),
+    triangle: &Triangle,
+    number: u32,
+) -> Option<bool> {
+    if !visible(ray, triangle) {
+        None
+    } else if L::REGISTERS {
+        query.meet_in(l, line, triangle, number)
+    } else {
+        query.meet(line, triangle, number)
     }
 }
 

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::counters::{Count, Counters, Uncounted};
 use super::descent::Descent;
 use super::profile::Profile;
-use super::query::{Any, Closest, Query, usable, visible};
+use super::query::{Any, Closest, Query, meet_visible, usable};
 use super::walk::Walk;
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
@@ -62,23 +62,7 @@ impl<Q: Query> AnyKernel for Among<'_, Q> {
     const BEST: Isa = Isa::Avx2;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
-        let Self { view, ray, .. } = self;
-        if !usable(lanes, ray) {
-            return Q::miss(ray);
-        }
-        let line = Line::new(ray);
-        let mut query = Q::new(ray);
-        for (number, triangle) in (0..).zip(view.triangles()) {
-            if visible(ray, triangle) && query.meet_in(lanes, &line, triangle, number) == Some(true)
-            {
-                break;
-            }
-        }
-        query.found(&view.sections(), ray)
-    }
-
-    fn run_portable(self) -> Q::Out {
-        self.view.among_all::<Q>(self.ray)
+        self.view.among_all::<Q, L>(lanes, self.ray)
     }
 }
 
@@ -167,19 +151,19 @@ impl View<'_> {
     /// structures are compared with. Cost: linear in the triangles.
     #[must_use]
     pub fn intersect_brute(&self, ray: &Ray) -> Hit {
-        fpenv::with_default(|| self.among_all::<Closest>(ray))
+        fpenv::with_default(|| self.among_all::<Closest, _>(Portable, ray))
     }
 
     /// Decides every triangle.
     #[inline(always)]
-    fn among_all<Q: Query>(&self, ray: &Ray) -> Q::Out {
-        if !usable(Portable, ray) {
+    fn among_all<Q: Query, L: Lanes>(&self, l: L, ray: &Ray) -> Q::Out {
+        if !usable(l, ray) {
             return Q::miss(ray);
         }
         let line = Line::new(ray);
         let mut query = Q::new(ray);
         for (number, triangle) in (0..).zip(self.triangles()) {
-            if visible(ray, triangle) && query.meet(&line, triangle, number) == Some(true) {
+            if meet_visible(l, &mut query, (ray, &line), triangle, number) == Some(true) {
                 break;
             }
         }
