@@ -120,7 +120,7 @@ impl Line {
                 self.met_inside(Place { t, weights }, triangle, tmax)
             }
             Sides::Unsure => {
-                let t = self.meet_exactly(&triangle.all(), tmax)?;
+                let t = self.meet_exactly(triangle.all(), tmax)?;
                 Some(Met { t, weights: None })
             }
         }
@@ -135,7 +135,7 @@ impl Line {
             Sides::Inside if self.flags != 0 && self.culls(judged.is_front()) => None,
             Sides::Inside => self.met_inside(judged.place(l), triangle, tmax),
             Sides::Unsure => {
-                let t = self.meet_exactly(&triangle.all(), tmax)?;
+                let t = self.meet_exactly(triangle.all(), tmax)?;
                 Some(Met { t, weights: None })
             }
         }
@@ -155,7 +155,7 @@ impl Line {
         } else if t.high < self.tmin || t.low > tmax {
             None
         } else {
-            let t = self.in_range(self.t_inside(&triangle.all()), tmax)?;
+            let t = self.in_range(self.t_inside(triangle.all()), tmax)?;
             Some(Met { t, weights: None })
         }
     }
@@ -168,7 +168,7 @@ impl Line {
             Sides::Outside => false,
             Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,
             Sides::Inside => self.pierces_inside(&near.t(), triangle, tmax),
-            Sides::Unsure => self.meet_exactly(&triangle.all(), tmax).is_some(),
+            Sides::Unsure => self.meet_exactly(triangle.all(), tmax).is_some(),
         }
     }
 
@@ -180,7 +180,7 @@ impl Line {
             Sides::Outside => false,
             Sides::Inside if self.flags != 0 && self.culls(judged.is_front()) => false,
             Sides::Inside => self.pierces_inside(&judged.place(l).t, triangle, tmax),
-            Sides::Unsure => self.meet_exactly(&triangle.all(), tmax).is_some(),
+            Sides::Unsure => self.meet_exactly(triangle.all(), tmax).is_some(),
         }
     }
 
@@ -192,7 +192,7 @@ impl Line {
         } else if t.high < self.tmin || t.low > tmax {
             false
         } else {
-            self.in_range(self.t_inside(&triangle.all()), tmax).is_some()
+            self.in_range(self.t_inside(triangle.all()), tmax).is_some()
         }
     }
 
@@ -201,7 +201,7 @@ impl Line {
     #[inline(always)]
     pub fn weights(&self, triangle: &impl Corners) -> (f32, f32) {
         let near = Estimate::new(&self.apex(triangle), &self.dir);
-        near.rounded_weights().unwrap_or_else(|| self.weights_exactly(&triangle.all()))
+        near.rounded_weights().unwrap_or_else(|| self.weights_exactly(triangle.all()))
     }
 
     /// Whether the ray's flags leave out triangles that it comes to from this side.
@@ -216,20 +216,20 @@ impl Line {
         (t >= self.tmin && t <= finite(tmax)).then_some(t + 0.0)
     }
 
-    fn case(&self, corners: &[[f32; 3]; 3]) -> Case {
+    fn case(self, corners: [[f32; 3]; 3]) -> Case {
         // They were widened without loss.
-        Case::new(self.org.map(|x| x as f32), self.dir.map(|x| x as f32), *corners)
+        Case::new(self.org.map(|x| x as f32), self.dir.map(|x| x as f32), corners)
     }
 
     #[cold]
     #[inline(never)]
-    fn t_inside(&self, corners: &[[f32; 3]; 3]) -> f32 {
+    fn t_inside(self, corners: [[f32; 3]; 3]) -> f32 {
         self.case(corners).t_inside()
     }
 
     #[cold]
     #[inline(never)]
-    fn meet_exactly(&self, corners: &[[f32; 3]; 3], tmax: f32) -> Option<f32> {
+    fn meet_exactly(self, corners: [[f32; 3]; 3], tmax: f32) -> Option<f32> {
         let case = self.case(corners);
         let t = case.t().and_then(|t| self.in_range(t, tmax));
         t.filter(|_| self.flags == 0 || !self.culls(case.is_front()))
@@ -237,7 +237,7 @@ impl Line {
 
     #[cold]
     #[inline(never)]
-    fn weights_exactly(&self, corners: &[[f32; 3]; 3]) -> (f32, f32) {
+    fn weights_exactly(self, corners: [[f32; 3]; 3]) -> (f32, f32) {
         self.case(corners).weights()
     }
 }

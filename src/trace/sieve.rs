@@ -51,13 +51,12 @@ pub struct Sieve<'a> {
     /// The triangles along the axes that are x, y, z of the sheared space.
     axes: [Axis<'a>; 3],
     /// The origin along these axes; the change of x and of y with z, and what is added to E;
-    /// the range of minus z where t is in range.
+    /// the range of the depth, which is z in the ray's direction, where t is in range, and the sign
+    /// of the depth of what has negative z.
     rows: [[f32; 4]; 3],
-    /// Minus z for each t, and what is added to the ends of its range, with its sign.
+    /// The depth for each t, and what is added to the ends of its range.
     pace: f32,
     slack: f32,
-    /// The range's end where the ray begins.
-    start: f32,
 }
 
 /// Triangles to sieve in one go. As many everywhere where tests are counted: a walk may
@@ -100,31 +99,29 @@ impl<'a> Sieve<'a> {
         let axis = |k: usize| sections.axis(order[k] as usize);
         let mut rows = [l.array_f32(org), l.array_f32(slope), [0.0; 4]];
         rows[1][2] = if holds { TINY } else { f32::INFINITY };
-        let pace = -l.first(longest);
+        let pace = l.first(longest).abs();
         // A t next to zero may have been rounded by up to half the least denormal. Not
         // just that much: processors take long to compute denormals.
-        let slack = (TINY + pace.abs() * TINY).copysign(pace);
+        let slack = TINY + pace * TINY;
         let axes = [axis(0), axis(1), axis(2)];
-        let mut sieve = Self { axes, rows, pace, slack, start: 0.0 };
-        sieve.start = -sieve.end(-ray.tmin);
+        rows[2][2] = -l.first(longest);
+        let mut sieve = Self { axes, rows, pace, slack };
+        sieve.rows[2][0] = -sieve.end(-ray.tmin);
         sieve.limit(ray.tmax);
         sieve
     }
 
-    /// Minus z at t, and a little farther. A corner's z is off by one rounding, and so is this.
+    /// The depth at t, and a little farther. A corner's z is off by one rounding, and so is this.
     #[inline(always)]
     fn end(&self, t: f32) -> f32 {
         let end = t * self.pace;
-        end + ((end.abs() * (4.0 * f32::EPSILON)).copysign(self.pace) + self.slack)
+        end + (end.abs() * (4.0 * f32::EPSILON) + self.slack)
     }
 
     /// Sets the largest t of interest.
     #[inline(always)]
     pub fn limit(&mut self, limit: f32) {
-        let (start, end) = (self.start, self.end(limit));
-        let ascends = self.pace > 0.0;
-        self.rows[2][0] = if ascends { start } else { end };
-        self.rows[2][1] = if ascends { end } else { start };
+        self.rows[2][1] = self.end(limit);
     }
 
     /// One bit for each of at most [`Lanes::WIDE`] triangles, from references, that
@@ -169,13 +166,12 @@ impl<'a> Sieve<'a> {
         let mut first = among.trailing_zeros();
         let mut others = among & among.wrapping_sub(1);
         if let (Some(place), true) = (&sieved.place, others != 0) {
-            let mut times = [0.0; 8];
-            let pace = l.mul_wide(place.det, l.splat_wide(self.pace));
-            l.store_wide(l.div_wide(place.height, pace), &mut times);
+            let mut depths = [0.0; 8];
+            l.store_wide(l.div_wide(place.height, place.det), &mut depths);
             while others != 0 {
                 let other = others.trailing_zeros();
                 others &= others - 1;
-                if times[other as usize % 8] < times[first as usize % 8] {
+                if depths[other as usize % 8] < depths[first as usize % 8] {
                     first = other;
                 }
             }
@@ -227,7 +223,7 @@ pub(super) struct Sieved<L: Lanes> {
     place: Option<Place<L>>,
 }
 
-/// Where rays meet triangles that they do not pass: minus z, times the determinant's size, that,
+/// Where rays meet triangles that they do not pass: the depth times the determinant's size, that,
 /// and bounds of their errors.
 #[derive(Clone, Copy)]
 struct Place<L: Lanes> {
@@ -241,7 +237,7 @@ impl<L: Lanes> Sieved<L> {
     /// `rays` are in the order of [`Sieve::rows`].
     #[inline(always)]
     fn new(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> Self {
-        let [org, [sx, sy, tiny], [lo, hi, _]] = rays;
+        let [org, [sx, sy, tiny], [lo, hi, sign]] = rays;
         let slope = [sx, sy];
         let a = shear(l, org, slope, [xs[0], ys[0], zs[0]]);
         let b = shear(l, org, slope, [xs[1], ys[1], zs[1]]);
@@ -260,15 +256,17 @@ impl<L: Lanes> Sieved<L> {
         let zero = l.splat_wide(0.0);
         let beside = [l.min_wide(most, l.sub_wide(zero, least)), error];
         if !L::REGISTERS {
-            let near = l.min_wide(l.min_wide(a.z, b.z), c.z);
-            let far = l.max_wide(l.max_wide(a.z, b.z), c.z);
+            let [a, b, c] = [a.z, b.z, c.z];
+            let [a, b, c] = [l.turn_wide(a, sign), l.turn_wide(b, sign), l.turn_wide(c, sign)];
+            let near = l.min_wide(l.min_wide(a, b), c);
+            let far = l.max_wide(l.max_wide(a, b), c);
             let apart = l.max_wide(l.sub_wide(near, hi), l.sub_wide(lo, far));
             let out = l.misses(beside, [apart, zero], [l.splat_wide(1.0), zero]);
             return Self { out, place: None };
         }
         let det = l.add_wide(l.add_wide(ab, bc), ca);
         let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
-        let height = l.turn_wide(height, det);
+        let height = l.turn_wide(l.turn_wide(height, det), sign);
         let det = l.abs_wide(det);
         let error = l.mul_wide(error, l.splat_wide(2.5));
         let det_error = l.mul_add_wide(det, l.splat_wide(5.5 * E), error);
