@@ -49,8 +49,9 @@ impl Part {
     }
 }
 
+/// Half the surface of a box.
 #[inline(always)]
-fn surface(lo: Vec3A, hi: Vec3A) -> f32 {
+pub fn surface(lo: Vec3A, hi: Vec3A) -> f32 {
     let side = hi - lo;
     side.x * side.y + side.y * side.z + side.z * side.x
 }

@@ -1,0 +1,237 @@
+//! A binary tree over single triangles, built from above, that can be changed.
+//!
+//! What is split between items b and b + 1 is node b (Karras 2012 numbers a tree along a curve
+//! so): each part of the items has nodes of its own, whoever splits it, and of a node and one
+//! below it the lower is to the left.
+
+use super::item::Item;
+use super::split::{Bins, Care, Part, split};
+use crate::Error;
+use crate::build::control::{Control, Parts, TASKS, parts};
+use crate::build::scratch::cut;
+use glam::Vec3A;
+
+/// Levels of nodes whose splits are chosen; below, triangles are halved.
+const CHOSEN: u32 = 96;
+/// Triangles that it is no use to share.
+const FEW: usize = 1024;
+/// What the root is under.
+pub const NONE: u32 = (1 << 30) - 1;
+
+/// The tree. The boxes of the triangles, as many as `triangles`, are followed by those of the
+/// nodes, one fewer; a box is known by its place among all.
+pub struct Binary<'a> {
+    pub triangles: usize,
+    boxes: &'a mut [Item],
+    /// The two boxes below each node.
+    below: &'a mut [[u32; 2]],
+    pub root: u32,
+}
+
+/// Some items that are to be split: the first of them, how many levels there are above, and
+/// the node above.
+#[derive(Clone, Copy)]
+struct Piece {
+    first: usize,
+    part: Part,
+    depth: u32,
+    above: u32,
+}
+
+/// A piece and what is its own: its items and nodes.
+struct Work<'a> {
+    piece: Piece,
+    triangles: usize,
+    items: &'a mut [Item],
+    nodes: &'a mut [Item],
+    below: &'a mut [[u32; 2]],
+    /// Whether to split what is left, too; else it is in `left`.
+    all: bool,
+    left: [Option<Piece>; 2],
+    done: usize,
+}
+
+/// What is left of some records.
+struct Rest<'a, T> {
+    records: &'a mut [T],
+    at: usize,
+}
+
+impl<'a, T> Rest<'a, T> {
+    /// Records by their places among all; those before are not taken any more.
+    fn take(&mut self, first: usize, len: usize) -> &'a mut [T] {
+        cut(&mut self.records, first - self.at);
+        self.at = first + len;
+        cut(&mut self.records, len)
+    }
+}
+
+impl<'a> Binary<'a> {
+    /// Builds it over the items in the first half of `boxes`, two at least.
+    pub fn build(
+        boxes: &'a mut [Item],
+        below: &'a mut [[u32; 2]],
+        care: Care,
+        control: &mut Control<'_>,
+    ) -> Result<Self, Error> {
+        let n = below.len() + 1;
+        let (items, nodes) = boxes.split_at_mut(n);
+        let mut pieces: Parts<Piece> = [const { None }; TASKS];
+        pieces[0] = Some(Piece { first: 0, part: Part::of(items), depth: 0, above: NONE });
+        // So that fewer than half of the tasks leave two pieces.
+        let share = FEW.max(2 * n / TASKS + 1);
+        let mut done = 0;
+        while pieces[0].is_some() {
+            let mut items = Rest { records: &mut *items, at: 0 };
+            let mut nodes = Rest { records: &mut *nodes, at: 0 };
+            let mut below = Rest { records: &mut *below, at: 0 };
+            let mut waiting = pieces.iter().flatten();
+            let mut works = parts(|| {
+                let piece = *waiting.next()?;
+                let (first, len) = (piece.first, piece.part.len);
+                Some(Work {
+                    piece,
+                    triangles: n,
+                    items: items.take(first, len),
+                    nodes: nodes.take(first, len - 1),
+                    below: below.take(first, len - 1),
+                    all: len <= share,
+                    left: [None; 2],
+                    done: 0,
+                })
+            });
+            control.each(&mut works, |work| work.run(care))?;
+            let finished = works.iter().flatten().filter(|work| work.all);
+            done += finished.map(|work| work.items.len()).sum::<usize>();
+            control.count(works.iter().flatten().map(|work| work.done).sum());
+            control.at(done, n)?;
+            let mut left = works.iter().flatten().flat_map(|work| work.left).flatten();
+            pieces = parts(|| left.next());
+        }
+        let mut tree = Self { triangles: n, boxes, below, root: NONE };
+        tree.link();
+        Ok(tree)
+    }
+
+    /// Tells each node what is below it: the node above is known.
+    fn link(&mut self) {
+        let n = self.triangles as u32;
+        for i in n..2 * n - 1 {
+            let above = self.above(i);
+            if above == NONE {
+                self.root = i;
+            } else {
+                self.below[(above - n) as usize][usize::from(i > above)] = i;
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub fn corners(&self, i: u32) -> (Vec3A, Vec3A) {
+        self.boxes[i as usize].corners()
+    }
+
+    /// What is below a box; `None` for a triangle.
+    #[inline(always)]
+    pub fn below(&self, i: u32) -> Option<[u32; 2]> {
+        self.below.get((i as usize).wrapping_sub(self.triangles)).copied()
+    }
+
+    #[inline(always)]
+    pub fn above(&self, i: u32) -> u32 {
+        self.boxes[i as usize].above()
+    }
+
+    /// How many triangles a node holds; a triangle's place in the soup.
+    pub fn number(&self, i: u32) -> u32 {
+        self.boxes[i as usize].number()
+    }
+
+    pub fn set_number(&mut self, i: u32, number: u32) {
+        self.boxes[i as usize].set_number(number);
+    }
+
+    /// The box beside one that is not the root.
+    #[inline(always)]
+    pub fn beside(&self, i: u32) -> u32 {
+        let [a, b] = self.below[self.above(i) as usize - self.triangles];
+        a ^ b ^ i
+    }
+
+    /// Puts a box below a node in the place of another.
+    pub fn replace(&mut self, node: u32, old: u32, new: u32) {
+        let below = &mut self.below[node as usize - self.triangles];
+        below[usize::from(below[1] == old)] = new;
+        self.boxes[new as usize].set_above(node);
+    }
+
+    /// Puts two boxes below a node.
+    pub fn join(&mut self, node: u32, below: [u32; 2]) {
+        self.below[node as usize - self.triangles] = below;
+        for i in below {
+            self.boxes[i as usize].set_above(node);
+        }
+    }
+
+    /// Makes the box of a node that of what is below; whether it was another.
+    #[inline(always)]
+    pub fn fit(&mut self, node: u32) -> bool {
+        let [a, b] = self.below[node as usize - self.triangles].map(|i| self.corners(i));
+        let (lo, hi) = (a.0.min(b.0), a.1.max(b.1));
+        let old = self.corners(node);
+        let new = &mut self.boxes[node as usize];
+        new.set_corners(lo, hi);
+        (lo.cmpne(old.0) | hi.cmpne(old.1)).any()
+    }
+}
+
+impl Work<'_> {
+    fn run(&mut self, care: Care) {
+        let mut bins = Bins::new();
+        // The smaller part is split first, so that at most one a power of two waits.
+        let mut waiting = [self.piece; usize::BITS as usize];
+        let mut count = 1;
+        while count > 0 {
+            count -= 1;
+            let mut parts = self.split(&waiting[count], care, &mut bins);
+            if !self.all {
+                self.left = parts;
+                return;
+            }
+            let len = |piece: &Option<Piece>| piece.map_or(0, |piece| piece.part.len);
+            if len(&parts[0]) < len(&parts[1]) {
+                parts.swap(0, 1);
+            }
+            for piece in parts.into_iter().flatten() {
+                waiting[count] = piece;
+                count += 1;
+            }
+        }
+    }
+
+    /// Makes a node of a piece; returns what is to be split in turn.
+    fn split(&mut self, piece: &Piece, care: Care, bins: &mut Bins) -> [Option<Piece>; 2] {
+        let Piece { first, part, depth, above } = *piece;
+        let start = self.piece.first;
+        let items = &mut self.items[first - start..][..part.len];
+        self.done += part.len;
+        let parts = split(items, &part, (depth < CHOSEN).then_some(care), bins);
+        let border = first + parts[0].len - 1;
+        let node = (self.triangles + border) as u32;
+        let to = &mut self.nodes[border - start];
+        to.set_corners(part.lo, part.hi);
+        to.set_number(part.len as u32);
+        to.set_above(above);
+        let mut next = first;
+        [0, 1].map(|side| {
+            let (part, first) = (parts[side], next);
+            next += part.len;
+            if part.len > 1 {
+                return Some(Piece { first, part, depth: depth + 1, above: node });
+            }
+            self.items[first - start].set_above(node);
+            self.below[border - start][side] = first as u32;
+            None
+        })
+    }
+}

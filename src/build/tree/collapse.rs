@@ -1,0 +1,181 @@
+//! From a binary tree to nodes of eight parts: those that cost least of all (Ylitie, Karras &
+//! Laine 2017), by dynamic programming.
+
+use super::binary::{Binary, NONE};
+use super::split::surface;
+use crate::Error;
+use crate::arena::layout::{LEAF, Node, PARTS};
+use crate::build::control::{Control, TASKS, parts};
+
+/// What it costs to meet a node, a leaf and each triangle of it, in instructions.
+const OF_NODE: f32 = 67.0;
+const OF_LEAF: f32 = 190.0;
+const OF_TRIANGLE: f32 = 3.0;
+
+/// The least cost of what is below a box, times its surface, as one part, two at most, and so
+/// on.
+pub type Costs = [f32; PARTS - 1];
+
+/// The costs of all nodes of a binary tree.
+pub struct Collapse<'a, 'b> {
+    tree: Binary<'b>,
+    costs: &'a mut [Costs],
+}
+
+impl<'a, 'b> Collapse<'a, 'b> {
+    /// Looks at every node after those below.
+    pub fn new(tree: Binary<'b>, costs: &'a mut [Costs]) -> Self {
+        let mut all = Self { tree, costs };
+        // Down to the node at hand, or up from what is below it.
+        let (mut node, mut from) = (all.tree.root, NONE);
+        while let Some([a, b]) = all.tree.below(node) {
+            let next = if from == all.tree.above(node) {
+                a
+            } else if from == a {
+                b
+            } else {
+                all.count(node, [a, b]);
+                (from, node) = (node, all.tree.above(node));
+                continue;
+            };
+            if all.tree.below(next).is_some() {
+                (from, node) = (node, next);
+            } else {
+                from = next;
+            }
+        }
+        all
+    }
+
+    pub fn root(&self) -> u32 {
+        self.tree.root
+    }
+
+    /// Triangles below a box.
+    pub fn len(&self, i: u32) -> u32 {
+        if self.tree.below(i).is_some() { self.tree.number(i) } else { 1 }
+    }
+
+    fn leaf(&self, i: u32, len: u32) -> f32 {
+        let (lo, hi) = self.tree.corners(i);
+        surface(lo, hi) * (OF_LEAF + OF_TRIANGLE * len as f32)
+    }
+
+    fn costs(&self, i: u32) -> Costs {
+        match self.costs.get((i as usize).wrapping_sub(self.tree.triangles)) {
+            Some(costs) => *costs,
+            None => [self.leaf(i, 1); PARTS - 1],
+        }
+    }
+
+    fn count(&mut self, node: u32, below: [u32; 2]) {
+        let len = self.len(below[0]) + self.len(below[1]);
+        self.tree.set_number(node, len);
+        let [a, b] = below.map(|i| self.costs(i));
+        let mut costs = [0.0; PARTS - 1];
+        costs[0] = if len <= LEAF {
+            self.leaf(node, len)
+        } else {
+            let (lo, hi) = self.tree.corners(node);
+            surface(lo, hi) * OF_NODE + cheapest(&a, &b, PARTS).0
+        };
+        for parts in 2..PARTS {
+            costs[parts - 1] = costs[0].min(cheapest(&a, &b, parts).0);
+        }
+        self.costs[node as usize - self.tree.triangles] = costs;
+    }
+
+    /// The parts of a node: the boxes that they are in the binary tree.
+    fn parts(&self, node: u32) -> ([u32; PARTS], usize) {
+        let (mut found, mut count) = ([0; PARTS], 0);
+        let mut waiting = [(node, PARTS); PARTS];
+        let mut left = 1;
+        while left > 0 {
+            left -= 1;
+            let (i, parts) = waiting[left];
+            let costs = self.costs(i);
+            let split = parts == PARTS || parts > 1 && costs[parts - 1] < costs[0];
+            match self.tree.below(i) {
+                Some([a, b]) if split => {
+                    let (_, first) = cheapest(&self.costs(a), &self.costs(b), parts);
+                    waiting[left] = (b, parts - first);
+                    waiting[left + 1] = (a, first);
+                    left += 2;
+                }
+                _ => {
+                    found[count] = i;
+                    count += 1;
+                }
+            }
+        }
+        (found, count)
+    }
+
+    /// Writes the nodes of a level, in tasks.
+    pub fn level(
+        &self,
+        nodes: &mut [Node],
+        ranges: &[[u32; 2]],
+        control: &mut Control<'_>,
+    ) -> Result<(), Error> {
+        let share = nodes.len().div_ceil(TASKS);
+        let mut shares = nodes.chunks_mut(share).zip(ranges.chunks(share));
+        let mut tasks = parts(|| shares.next());
+        control.each(&mut tasks, |(nodes, ranges)| {
+            for (node, [i, _]) in nodes.iter_mut().zip(*ranges) {
+                *node = self.node(*i);
+            }
+        })
+    }
+
+    /// A node. Its parts have no places yet: they are how many triangles there are, and, in the
+    /// words that are reserved, which boxes of the binary tree.
+    fn node(&self, i: u32) -> Node {
+        let (parts, count) = self.parts(i);
+        let mut node = Node { bounds: [[0.0; PARTS]; 6], parts: [0; PARTS], reserved: [0; PARTS] };
+        for (k, rows) in node.bounds.chunks_mut(2).enumerate() {
+            for at in 0..PARTS {
+                let empty = [f32::INFINITY, f32::NEG_INFINITY];
+                let [lo, hi] = match parts[..count].get(at) {
+                    Some(&part) => {
+                        let (lo, hi) = self.tree.corners(part);
+                        [lo[k], hi[k]]
+                    }
+                    None => empty,
+                };
+                (rows[0][at], rows[1][at]) = (lo, hi);
+            }
+        }
+        for (at, &part) in parts[..count].iter().enumerate() {
+            (node.parts[at], node.reserved[at]) = (self.len(part), part);
+        }
+        node
+    }
+
+    /// The triangles below a box, as many as there is room for.
+    pub fn triangles(&self, i: u32, to: &mut [u32]) {
+        let mut waiting = [i; LEAF as usize + 1];
+        let mut left = 1;
+        for to in to {
+            left -= 1;
+            while let Some([a, b]) = self.tree.below(waiting[left]) {
+                (waiting[left], waiting[left + 1]) = (b, a);
+                left += 1;
+            }
+            *to = self.tree.number(waiting[left]);
+        }
+    }
+}
+
+/// The least cost of two boxes in so many parts, and how many of these the first has.
+#[inline(always)]
+fn cheapest(a: &Costs, b: &Costs, parts: usize) -> (f32, usize) {
+    let mut best = (f32::INFINITY, 1);
+    for first in 1..parts {
+        let cost = a[first - 1] + b[parts - first - 1];
+        if cost < best.0 {
+            best = (cost, first);
+        }
+    }
+    best
+}
