@@ -107,8 +107,7 @@ impl<'s> Memory<'s> {
             let (boxes, below) = (&mut memory[..2 * n - 1], &mut below[..n - 1]);
             let mut tree = Binary::build(boxes, below, care, control)?;
             reinsert(&mut tree, order, control)?;
-            let tree = Collapse::new(tree, &mut costs[..n - 1]);
-            control.count(n);
+            let tree = Collapse::new(tree, &mut costs[..n - 1], control)?;
             let numbers = Numbers::new([tree.root(), n as u32], ranges, order);
             found = collapse(&tree, nodes, numbers, control)?;
         }

@@ -235,3 +235,59 @@ impl Work<'_> {
         })
     }
 }
+
+#[cfg(test)]
+pub mod tests {
+    use super::*;
+    use bytemuck::Zeroable;
+    use std::{vec, vec::Vec};
+
+    /// So many small boxes at random, some flat, and room for those of nodes.
+    pub fn boxes(seed: u32, count: usize) -> Vec<Item> {
+        let mut state = seed.wrapping_mul(747_796_405) + 1;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / (1 << 24) as f32
+        };
+        let mut boxes = vec![Item::zeroed(); 2 * count - 1];
+        for (i, item) in boxes[..count].iter_mut().enumerate() {
+            let lo = Vec3A::new(next(), next(), next());
+            let size = Vec3A::new(next(), next(), if i % 3 == 0 { 0.0 } else { next() });
+            item.set_corners(lo, lo + size * 0.1);
+            item.set_number(i as u32);
+        }
+        boxes
+    }
+
+    /// The sum of all nodes' surfaces; each triangle is in the tree once, and boxes fit.
+    pub fn total(tree: &mut Binary<'_>) -> f64 {
+        let (mut sum, mut seen) = (0.0, vec![false; tree.triangles]);
+        let mut waiting = vec![tree.root];
+        while let Some(i) = waiting.pop() {
+            if let Some(below) = tree.below(i) {
+                assert!(below.iter().all(|&part| tree.above(part) == i));
+                assert!(!tree.fit(i));
+                let (lo, hi) = tree.corners(i);
+                sum += f64::from(super::super::split::surface(lo, hi));
+                waiting.extend(below);
+            } else {
+                let number = tree.number(i) as usize;
+                assert!(!core::mem::replace(&mut seen[number], true));
+            }
+        }
+        assert!(seen.iter().all(|&seen| seen));
+        sum
+    }
+
+    #[test]
+    fn it_is_a_tree() {
+        // More than one task has, too.
+        for count in [2, 3, 100, 5000] {
+            let (mut boxes, mut below) = (boxes(7, count), vec![[0; 2]; count - 1]);
+            let built = Binary::build(&mut boxes, &mut below, Care::HIGH, &mut Control::default());
+            let mut tree = built.expect("not cancelled");
+            assert_eq!(tree.number(tree.root) as usize, count);
+            assert!(total(&mut tree) > 0.0);
+        }
+    }
+}

@@ -24,7 +24,11 @@ pub struct Collapse<'a, 'b> {
 
 impl<'a, 'b> Collapse<'a, 'b> {
     /// Looks at every node after those below.
-    pub fn new(tree: Binary<'b>, costs: &'a mut [Costs]) -> Self {
+    pub fn new(
+        tree: Binary<'b>,
+        costs: &'a mut [Costs],
+        control: &mut Control<'_>,
+    ) -> Result<Self, Error> {
         let mut all = Self { tree, costs };
         // Down to the node at hand, or up from what is below it.
         let (mut node, mut from) = (all.tree.root, NONE);
@@ -35,6 +39,7 @@ impl<'a, 'b> Collapse<'a, 'b> {
                 b
             } else {
                 all.count(node, [a, b]);
+                control.tick(1, 0, 1)?;
                 (from, node) = (node, all.tree.above(node));
                 continue;
             };
@@ -44,7 +49,7 @@ impl<'a, 'b> Collapse<'a, 'b> {
                 from = next;
             }
         }
-        all
+        Ok(all)
     }
 
     pub fn root(&self) -> u32 {
@@ -178,4 +183,61 @@ fn cheapest(a: &Costs, b: &Costs, parts: usize) -> (f32, usize) {
         }
     }
     best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::binary::tests::boxes;
+    use super::super::split::Care;
+    use super::*;
+    use std::{vec, vec::Vec};
+
+    /// By surface, the cost of what is below a node if the largest part is always split next.
+    fn greedy(tree: &Collapse<'_, '_>, node: u32) -> f64 {
+        let size = |i: u32| {
+            let (lo, hi) = tree.tree.corners(i);
+            surface(lo, hi)
+        };
+        let mut parts: Vec<u32> = vec![node];
+        while parts.len() < PARTS {
+            let large = (0..parts.len()).filter(|&k| tree.len(parts[k]) > LEAF);
+            let Some(k) = large.max_by(|&a, &b| size(parts[a]).total_cmp(&size(parts[b]))) else {
+                break;
+            };
+            let part = parts.swap_remove(k);
+            parts.extend(tree.tree.below(part).into_iter().flatten());
+        }
+        let below = parts.into_iter().map(|part| match tree.len(part) {
+            len @ ..=LEAF => f64::from(tree.leaf(part, len)),
+            _ => greedy(tree, part),
+        });
+        below.sum::<f64>() + f64::from(size(node) * OF_NODE)
+    }
+
+    /// The cost of what a node was made.
+    fn made(tree: &Collapse<'_, '_>, node: u32) -> f64 {
+        let (lo, hi) = tree.tree.corners(node);
+        let (parts, count) = tree.parts(node);
+        let below = parts[..count].iter().map(|&part| match tree.len(part) {
+            len @ ..=LEAF => f64::from(tree.leaf(part, len)),
+            _ => made(tree, part),
+        });
+        below.sum::<f64>() + f64::from(surface(lo, hi) * OF_NODE)
+    }
+
+    #[test]
+    fn no_dearer_than_greedy_and_what_was_counted() {
+        for seed in 0..5 {
+            let (mut boxes, mut below) = (boxes(seed, 900), vec![[0; 2]; 899]);
+            let mut costs = vec![[0.0; PARTS - 1]; 899];
+            let mut control = Control::default();
+            let tree = Binary::build(&mut boxes, &mut below, Care::HIGH, &mut control);
+            let tree = Collapse::new(tree.expect("a tree"), &mut costs, &mut control);
+            let tree = tree.expect("not cancelled");
+            let (made, greedy) = (made(&tree, tree.root()), greedy(&tree, tree.root()));
+            let counted = f64::from(tree.costs(tree.root())[0]);
+            assert!((made / counted - 1.0).abs() < 1e-4, "{made} {counted}");
+            assert!(made < greedy, "{made} {greedy}");
+        }
+    }
 }

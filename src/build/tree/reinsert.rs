@@ -31,9 +31,9 @@ pub fn reinsert(
         for (i, &from) in queue.iter().rev().enumerate() {
             let mut looks = 0;
             if let Some(to) = place(tree, from, &mut looks) {
-                let before = fits;
-                fits = fits.saturating_sub(put(tree, from, to));
-                looks += before - fits;
+                let fitted = put(tree, from, to);
+                fits = fits.saturating_sub(fitted);
+                looks += fitted;
             }
             control.tick(looks, round * count + i, ROUNDS * count)?;
             if fits == 0 {
@@ -140,4 +140,26 @@ fn climb(tree: &mut Binary<'_>, mut node: u32) -> usize {
         fits += 1;
     }
     fits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::binary::tests::{boxes, total};
+    use super::super::split::Care;
+    use super::*;
+    use std::vec;
+
+    #[test]
+    fn surfaces_shrink_and_all_stays_a_tree() {
+        for seed in 0..5 {
+            let (mut boxes, mut below) = (boxes(seed, 700), vec![[0; 2]; 699]);
+            let mut control = Control::default();
+            let mut tree =
+                Binary::build(&mut boxes, &mut below, Care::HIGH, &mut control).expect("a tree");
+            let before = total(&mut tree);
+            reinsert(&mut tree, &mut vec![0; 700], &mut control).expect("not cancelled");
+            let after = total(&mut tree);
+            assert!(after < before, "{after} of {before}");
+        }
+    }
 }
