@@ -136,7 +136,7 @@ fn from_above(
         let ranges = &numbers.ranges[level.clone()];
         split_level(some, ranges, items, (depth < CHOSEN).then_some(care), control)?;
         for node in some {
-            numbers.give(node, |start, to| {
+            numbers.give(node, &|start, to| {
                 for (to, item) in to.iter_mut().zip(&items[start as usize..]) {
                     *to = item.number();
                 }
@@ -165,7 +165,7 @@ fn collapse(
         let some = &mut nodes[level.clone()];
         tree.level(some, &numbers.ranges[level.clone()], control)?;
         for node in some {
-            if !numbers.give(node, |part, to| tree.triangles(part, to)) {
+            if !numbers.give(node, &|part, to| tree.triangles(part, to)) {
                 return Ok(None);
             }
         }

@@ -85,7 +85,7 @@ impl<'a> Binary<'a> {
             let mut items = Rest { records: &mut *items, at: 0 };
             let mut nodes = Rest { records: &mut *nodes, at: 0 };
             let mut below = Rest { records: &mut *below, at: 0 };
-            let mut waiting = pieces.iter().flatten();
+            let mut waiting = pieces.iter().map_while(Option::as_ref);
             let mut works = parts(|| {
                 let piece = *waiting.next()?;
                 let (first, len) = (piece.first, piece.part.len);
@@ -101,12 +101,16 @@ impl<'a> Binary<'a> {
                 })
             });
             control.each(&mut works, |work| work.run(care))?;
-            let finished = works.iter().flatten().filter(|work| work.all);
-            done += finished.map(|work| work.items.len()).sum::<usize>();
-            control.count(works.iter().flatten().map(|work| work.done).sum());
+            pieces = [const { None }; TASKS];
+            let mut next = pieces.iter_mut();
+            for work in works.iter().map_while(Option::as_ref) {
+                control.count(work.done);
+                done += if work.all { work.items.len() } else { 0 };
+                for (left, to) in work.left.iter().flatten().zip(next.by_ref()) {
+                    *to = Some(*left);
+                }
+            }
             control.at(done, n)?;
-            let mut left = works.iter().flatten().flat_map(|work| work.left).flatten();
-            pieces = parts(|| left.next());
         }
         let mut tree = Self { triangles: n, boxes, below, root: NONE };
         tree.link();
@@ -210,6 +214,7 @@ impl Work<'_> {
     }
 
     /// Makes a node of a piece; returns what is to be split in turn.
+    #[inline(never)]
     fn split(&mut self, piece: &Piece, care: Care, bins: &mut Bins) -> [Option<Piece>; 2] {
         let Piece { first, part, depth, above } = *piece;
         let start = self.piece.first;

@@ -135,23 +135,17 @@ impl<'a, 'b> Collapse<'a, 'b> {
 
     /// A node. Its parts have no places yet: they are how many triangles there are, and, in the
     /// words that are reserved, which boxes of the binary tree.
+    #[inline(never)]
     fn node(&self, i: u32) -> Node {
         let (parts, count) = self.parts(i);
-        let mut node = Node { bounds: [[0.0; PARTS]; 6], parts: [0; PARTS], reserved: [0; PARTS] };
-        for (k, rows) in node.bounds.chunks_mut(2).enumerate() {
-            for at in 0..PARTS {
-                let empty = [f32::INFINITY, f32::NEG_INFINITY];
-                let [lo, hi] = match parts[..count].get(at) {
-                    Some(&part) => {
-                        let (lo, hi) = self.tree.corners(part);
-                        [lo[k], hi[k]]
-                    }
-                    None => empty,
-                };
-                (rows[0][at], rows[1][at]) = (lo, hi);
-            }
-        }
+        let (lo, hi) = ([f32::INFINITY; PARTS], [f32::NEG_INFINITY; PARTS]);
+        let mut node =
+            Node { bounds: [lo, hi, lo, hi, lo, hi], parts: [0; PARTS], reserved: [0; PARTS] };
         for (at, &part) in parts[..count].iter().enumerate() {
+            let (lo, hi) = self.tree.corners(part);
+            for k in 0..3 {
+                (node.bounds[2 * k][at], node.bounds[2 * k + 1][at]) = (lo[k], hi[k]);
+            }
             (node.parts[at], node.reserved[at]) = (self.len(part), part);
         }
         node
@@ -173,7 +167,7 @@ impl<'a, 'b> Collapse<'a, 'b> {
 }
 
 /// The least cost of two boxes in so many parts, and how many of these the first has.
-#[inline(always)]
+#[inline(never)]
 fn cheapest(a: &Costs, b: &Costs, parts: usize) -> (f32, usize) {
     let mut best = (f32::INFINITY, 1);
     for first in 1..parts {

@@ -30,7 +30,7 @@ impl<'a> Numbers<'a> {
     /// it is most likely to be there (surface area traversal order, Nah & Manocha 2014). A part
     /// is the number of its triangles until then, and in the word that is reserved is where it
     /// is; `leaf` tells the triangles of one. False if there are too many nodes.
-    pub fn give(&mut self, node: &mut Node, leaf: impl Fn(u32, &mut [u32])) -> bool {
+    pub fn give(&mut self, node: &mut Node, leaf: &dyn Fn(u32, &mut [u32])) -> bool {
         let bounds = node.bounds;
         let sides = |i: usize| {
             [0, 1, 2].map(|k| f64::from(bounds[2 * k + 1][i]) - f64::from(bounds[2 * k][i]))
