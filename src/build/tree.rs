@@ -149,7 +149,7 @@ fn from_above(
     Ok([numbers.next, numbers.tiny])
 }
 
-/// Makes a binary tree's nodes; what [`from_above`] says, or `None` if they are too many or too
+/// Writes the nodes of a binary tree; what [`from_above`] says, or `None` if they are too many or too
 /// deep.
 fn collapse(
     tree: &Collapse<'_, '_>,
@@ -162,9 +162,9 @@ fn collapse(
         if depth == MAX_DEPTH {
             return Ok(None);
         }
-        let some = &mut nodes[level.clone()];
-        tree.level(some, &numbers.ranges[level.clone()], control)?;
-        for node in some {
+        for i in level.clone() {
+            let node = &mut nodes[i];
+            *node = tree.node(numbers.ranges[i][0]);
             if !numbers.give(node, &|part, to| tree.triangles(part, to)) {
                 return Ok(None);
             }

@@ -4,8 +4,9 @@
 //! so): each part of the items has nodes of its own, whoever splits it, and of a node and one
 //! below it the lower is to the left.
 
+use super::MOST;
 use super::item::Item;
-use super::split::{Bins, Care, Part, split};
+use super::split::{Bins, Care, Part, split, surface};
 use crate::Error;
 use crate::build::control::{Control, Parts, TASKS, parts};
 use crate::build::scratch::cut;
@@ -15,6 +16,8 @@ use glam::Vec3A;
 const CHOSEN: u32 = 96;
 /// Triangles that it is no use to share.
 const FEW: usize = 1024;
+/// Pieces that wait: one for each power of two below the most triangles, and one.
+const WAITING: usize = MOST.ilog2() as usize + 1;
 /// What the root is under.
 pub const NONE: u32 = (1 << 30) - 1;
 
@@ -49,6 +52,12 @@ struct Work<'a> {
     all: bool,
     left: [Option<Piece>; 2],
     done: usize,
+}
+
+/// Pieces that wait.
+struct Waiting {
+    pieces: [Piece; WAITING],
+    count: usize,
 }
 
 /// What is left of some records.
@@ -135,6 +144,12 @@ impl<'a> Binary<'a> {
         self.boxes[i as usize].corners()
     }
 
+    /// Half the surface of a box.
+    pub fn surface(&self, i: u32) -> f32 {
+        let (lo, hi) = self.corners(i);
+        surface(lo, hi)
+    }
+
     /// What is below a box; `None` for a triangle.
     #[inline(always)]
     pub fn below(&self, i: u32) -> Option<[u32; 2]> {
@@ -156,7 +171,7 @@ impl<'a> Binary<'a> {
     }
 
     /// The box beside one that is not the root.
-    #[inline(always)]
+    #[inline(never)]
     pub fn beside(&self, i: u32) -> u32 {
         let [a, b] = self.below[self.above(i) as usize - self.triangles];
         a ^ b ^ i
@@ -178,7 +193,7 @@ impl<'a> Binary<'a> {
     }
 
     /// Makes the box of a node that of what is below; whether it was another.
-    #[inline(always)]
+    #[inline(never)]
     pub fn fit(&mut self, node: u32) -> bool {
         let [a, b] = self.below[node as usize - self.triangles].map(|i| self.corners(i));
         let (lo, hi) = (a.0.min(b.0), a.1.max(b.1));
@@ -192,52 +207,48 @@ impl<'a> Binary<'a> {
 impl Work<'_> {
     fn run(&mut self, care: Care) {
         let mut bins = Bins::new();
-        // The smaller part is split first, so that at most one a power of two waits.
-        let mut waiting = [self.piece; usize::BITS as usize];
-        let mut count = 1;
-        while count > 0 {
-            count -= 1;
-            let mut parts = self.split(&waiting[count], care, &mut bins);
+        let mut waiting = Waiting { pieces: [self.piece; WAITING], count: 1 };
+        while waiting.count > 0 {
+            waiting.count -= 1;
+            self.split(&mut waiting, care, &mut bins);
             if !self.all {
-                self.left = parts;
-                return;
+                break;
             }
-            let len = |piece: &Option<Piece>| piece.map_or(0, |piece| piece.part.len);
-            if len(&parts[0]) < len(&parts[1]) {
-                parts.swap(0, 1);
-            }
-            for piece in parts.into_iter().flatten() {
-                waiting[count] = piece;
-                count += 1;
-            }
+        }
+        for (to, left) in self.left.iter_mut().zip(&waiting.pieces[..waiting.count]) {
+            *to = Some(*left);
         }
     }
 
-    /// Makes a node of a piece; returns what is to be split in turn.
+    /// Makes a node of the next piece.
     #[inline(never)]
-    fn split(&mut self, piece: &Piece, care: Care, bins: &mut Bins) -> [Option<Piece>; 2] {
-        let Piece { first, part, depth, above } = *piece;
+    fn split(&mut self, waiting: &mut Waiting, care: Care, bins: &mut Bins) {
+        let Piece { first, part, depth, above } = waiting.pieces[waiting.count];
         let start = self.piece.first;
         let items = &mut self.items[first - start..][..part.len];
         self.done += part.len;
         let parts = split(items, &part, (depth < CHOSEN).then_some(care), bins);
-        let border = first + parts[0].len - 1;
+        let len = parts[0].len;
+        let border = first + len - 1;
         let node = (self.triangles + border) as u32;
         let to = &mut self.nodes[border - start];
         to.set_corners(part.lo, part.hi);
         to.set_number(part.len as u32);
         to.set_above(above);
-        let mut next = first;
-        [0, 1].map(|side| {
-            let (part, first) = (parts[side], next);
-            next += part.len;
+        // The smaller part is split first, so that at most one a power of two waits; what is left
+        // to others is in order.
+        let small = usize::from(!self.all || parts[1].len < len);
+        for side in [1 - small, small] {
+            let (part, first) = (parts[side], first + side * len);
             if part.len > 1 {
-                return Some(Piece { first, part, depth: depth + 1, above: node });
+                waiting.pieces[waiting.count] =
+                    Piece { first, part, depth: depth + 1, above: node };
+                waiting.count += 1;
+            } else {
+                self.items[first - start].set_above(node);
+                self.below[border - start][side] = first as u32;
             }
-            self.items[first - start].set_above(node);
-            self.below[border - start][side] = first as u32;
-            None
-        })
+        }
     }
 }
 
@@ -272,8 +283,7 @@ pub mod tests {
             if let Some(below) = tree.below(i) {
                 assert!(below.iter().all(|&part| tree.above(part) == i));
                 assert!(!tree.fit(i));
-                let (lo, hi) = tree.corners(i);
-                sum += f64::from(super::super::split::surface(lo, hi));
+                sum += f64::from(tree.surface(i));
                 waiting.extend(below);
             } else {
                 let number = tree.number(i) as usize;

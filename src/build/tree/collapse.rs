@@ -2,10 +2,9 @@
 //! Laine 2017), by dynamic programming.
 
 use super::binary::{Binary, NONE};
-use super::split::surface;
 use crate::Error;
 use crate::arena::layout::{LEAF, Node, PARTS};
-use crate::build::control::{Control, TASKS, parts};
+use crate::build::control::Control;
 
 /// What it costs to meet a node, a leaf and each triangle of it, in instructions.
 const OF_NODE: f32 = 67.0;
@@ -62,10 +61,10 @@ impl<'a, 'b> Collapse<'a, 'b> {
     }
 
     fn leaf(&self, i: u32, len: u32) -> f32 {
-        let (lo, hi) = self.tree.corners(i);
-        surface(lo, hi) * (OF_LEAF + OF_TRIANGLE * len as f32)
+        self.tree.surface(i) * (OF_LEAF + OF_TRIANGLE * len as f32)
     }
 
+    #[inline(never)]
     fn costs(&self, i: u32) -> Costs {
         match self.costs.get((i as usize).wrapping_sub(self.tree.triangles)) {
             Some(costs) => *costs,
@@ -81,8 +80,7 @@ impl<'a, 'b> Collapse<'a, 'b> {
         costs[0] = if len <= LEAF {
             self.leaf(node, len)
         } else {
-            let (lo, hi) = self.tree.corners(node);
-            surface(lo, hi) * OF_NODE + cheapest(&a, &b, PARTS).0
+            self.tree.surface(node) * OF_NODE + cheapest(&a, &b, PARTS).0
         };
         for parts in 2..PARTS {
             costs[parts - 1] = costs[0].min(cheapest(&a, &b, parts).0);
@@ -91,6 +89,7 @@ impl<'a, 'b> Collapse<'a, 'b> {
     }
 
     /// The parts of a node: the boxes that they are in the binary tree.
+    #[inline(never)]
     fn parts(&self, node: u32) -> ([u32; PARTS], usize) {
         let (mut found, mut count) = ([0; PARTS], 0);
         let mut waiting = [(node, PARTS); PARTS];
@@ -116,27 +115,10 @@ impl<'a, 'b> Collapse<'a, 'b> {
         (found, count)
     }
 
-    /// Writes the nodes of a level, in tasks.
-    pub fn level(
-        &self,
-        nodes: &mut [Node],
-        ranges: &[[u32; 2]],
-        control: &mut Control<'_>,
-    ) -> Result<(), Error> {
-        let share = nodes.len().div_ceil(TASKS);
-        let mut shares = nodes.chunks_mut(share).zip(ranges.chunks(share));
-        let mut tasks = parts(|| shares.next());
-        control.each(&mut tasks, |(nodes, ranges)| {
-            for (node, [i, _]) in nodes.iter_mut().zip(*ranges) {
-                *node = self.node(*i);
-            }
-        })
-    }
-
     /// A node. Its parts have no places yet: they are how many triangles there are, and, in the
     /// words that are reserved, which boxes of the binary tree.
     #[inline(never)]
-    fn node(&self, i: u32) -> Node {
+    pub fn node(&self, i: u32) -> Node {
         let (parts, count) = self.parts(i);
         let (lo, hi) = ([f32::INFINITY; PARTS], [f32::NEG_INFINITY; PARTS]);
         let mut node =
@@ -188,10 +170,7 @@ mod tests {
 
     /// By surface, the cost of what is below a node if the largest part is always split next.
     fn greedy(tree: &Collapse<'_, '_>, node: u32) -> f64 {
-        let size = |i: u32| {
-            let (lo, hi) = tree.tree.corners(i);
-            surface(lo, hi)
-        };
+        let size = |i: u32| tree.tree.surface(i);
         let mut parts: Vec<u32> = vec![node];
         while parts.len() < PARTS {
             let large = (0..parts.len()).filter(|&k| tree.len(parts[k]) > LEAF);
@@ -210,13 +189,12 @@ mod tests {
 
     /// The cost of what a node was made.
     fn made(tree: &Collapse<'_, '_>, node: u32) -> f64 {
-        let (lo, hi) = tree.tree.corners(node);
         let (parts, count) = tree.parts(node);
         let below = parts[..count].iter().map(|&part| match tree.len(part) {
             len @ ..=LEAF => f64::from(tree.leaf(part, len)),
             _ => made(tree, part),
         });
-        below.sum::<f64>() + f64::from(surface(lo, hi) * OF_NODE)
+        below.sum::<f64>() + f64::from(tree.tree.surface(node) * OF_NODE)
     }
 
     #[test]

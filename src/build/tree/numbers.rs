@@ -54,11 +54,16 @@ impl<'a> Numbers<'a> {
             } else {
                 0
             };
-            order[i] = (if len > 0 { surface(sides(i)) } else { -1.0 }, i);
+            let size = if len > 0 { surface(sides(i)) } else { -1.0 };
+            let mut to = i;
+            while to > 0 && order[to - 1].0 < size {
+                order[to] = order[to - 1];
+                to -= 1;
+            }
+            order[to] = (size, i);
         }
-        order.sort_unstable_by(|(a, i), (b, j)| b.total_cmp(a).then(i.cmp(j)));
         let parts = node.parts;
-        for (to, (_, from)) in order.into_iter().enumerate() {
+        for (to, &(_, from)) in order.iter().enumerate() {
             node.parts[to] = parts[from];
             for (row, bounds) in node.bounds.iter_mut().zip(&bounds) {
                 row[to] = bounds[from];

@@ -67,17 +67,13 @@ fn place(tree: &Binary<'_>, from: u32, looks: &mut usize) -> Option<u32> {
         return None;
     }
     let (lo, hi) = tree.corners(from);
-    let own = surface(lo, hi);
-    let size = |i: u32| {
-        let (lo, hi) = tree.corners(i);
-        surface(lo, hi)
-    };
+    let own = tree.surface(from);
     let mut waiting = [(0.0, 0); LOOKS + 2];
     let (mut best, mut gain) = (NONE, 0.0);
     let mut pivot = above;
     let mut beside = tree.beside(from);
     // What taking it out saves, of the nodes up to the pivot; and what the pivot is without it.
-    let mut saved = size(above);
+    let mut saved = tree.surface(above);
     let mut without = tree.corners(beside);
     loop {
         waiting[0] = (saved, beside);
@@ -108,7 +104,7 @@ fn place(tree: &Binary<'_>, from: u32, looks: &mut usize) -> Option<u32> {
         if pivot != above {
             let (a, b) = tree.corners(beside);
             without = (without.0.min(a), without.1.max(b));
-            saved += size(pivot) - surface(without.0, without.1);
+            saved += tree.surface(pivot) - surface(without.0, without.1);
         }
         if *looks >= LOOKS || tree.above(pivot) == NONE {
             break;
@@ -133,6 +129,7 @@ fn put(tree: &mut Binary<'_>, from: u32, to: u32) -> usize {
 }
 
 /// Fits the boxes from a node on upwards.
+#[inline(never)]
 fn climb(tree: &mut Binary<'_>, mut node: u32) -> usize {
     let mut fits = 1;
     while node != NONE && tree.fit(node) {
