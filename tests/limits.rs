@@ -6,7 +6,7 @@ mod common;
 
 use common::{section_7, structures};
 use hug::build::{Control, measure};
-use hug::{Error, Filter, Geometry, Hierarchy, Options, Scene, Structure};
+use hug::{Error, Filter, Geometry, Hierarchy, Options, Quality, Scene, Structure};
 use hug_kit::Mesh;
 use hug_kit::random::Random;
 
@@ -103,6 +103,9 @@ fn bound(n: usize, options: &Options) -> f64 {
     }
     if options.tree {
         sum += n * (37.0 + n.log2());
+        if options.quality == Quality::High {
+            sum += n * (183.0 + n.log2()) + 400.0;
+        }
     }
     // Voxels and lists written, and voxels read again.
     sum + 4.0 * voxels + 2.0 * refs
@@ -120,7 +123,8 @@ fn work_is_in_proportion_to_triangles() {
                 ("filled", Options { structure, alpha, maxp, fill_up, ..Options::default() })
             });
             let tree = Options { structure: Structure::Uniform, tree: true, ..Options::default() };
-            let others = filled.into_iter().chain([("tree", tree)]);
+            let careful = Options { quality: Quality::High, ..tree };
+            let others = filled.into_iter().chain([("tree", tree), ("careful tree", careful)]);
             for (kind, options) in structures().into_iter().chain(section_7()).chain(others) {
                 let (work, bytes) = watch(&mesh, &options);
                 let sizes = measure_count(n, &options);

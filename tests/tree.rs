@@ -15,6 +15,11 @@ fn options() -> Options {
     Options { structure: Structure::Recursive, tree: true, ..Options::default() }
 }
 
+/// Trees of one build and of the other.
+fn trees() -> [Options; 2] {
+    [options(), Options { quality: Quality::High, ..options() }]
+}
+
 /// Clumps, triangles through one another, some in one place, and some each farther than the one
 /// before.
 fn meshes() -> [(&'static str, Mesh); 4] {
@@ -35,6 +40,12 @@ fn meshes() -> [(&'static str, Mesh); 4] {
     ]
 }
 
+/// All of them in each of these trees.
+fn built() -> impl Iterator<Item = (&'static str, Mesh, Options)> {
+    let trees = || trees().into_iter();
+    meshes().into_iter().flat_map(move |(name, mesh)| trees().map(move |o| (name, mesh.clone(), o)))
+}
+
 /// The parts of all nodes, in order: number of the node, where the word is, what it says.
 fn parts(bytes: &[u8]) -> Vec<(usize, usize, u32)> {
     let nodes = 0..count(bytes, NODES);
@@ -49,8 +60,8 @@ fn parts(bytes: &[u8]) -> Vec<(usize, usize, u32)> {
 
 #[test]
 fn nodes_and_triangles_are_named_once_and_in_order() {
-    for (name, mesh) in meshes() {
-        let scene = build(&mesh, &options());
+    for (name, mesh, options) in built() {
+        let scene = build(&mesh, &options);
         let bytes = scene.view().bytes();
         let (mut node, mut triangle) = (1, 0);
         // Of a node by their places.
@@ -82,8 +93,8 @@ fn bounds(bytes: &[u8], number: usize, part: usize) -> [f32; 6] {
 /// Where any hit will do, it is most likely to be in the largest part.
 #[test]
 fn the_largest_part_is_first() {
-    for (name, mesh) in meshes() {
-        let scene = build(&mesh, &options());
+    for (name, mesh, options) in built() {
+        let scene = build(&mesh, &options);
         let bytes = scene.view().bytes();
         let mut last = (0, f64::INFINITY);
         for (number, at, word) in parts(bytes) {
@@ -99,8 +110,8 @@ fn the_largest_part_is_first() {
 
 #[test]
 fn boxes_hold_what_is_in_them() {
-    for (name, mesh) in meshes() {
-        let scene = build(&mesh, &options());
+    for (name, mesh, options) in built() {
+        let scene = build(&mesh, &options);
         let bytes = scene.view().bytes();
         let unit = f64::from_bits(get64(bytes, UNIT));
         let lower = scene.view().bounds().0;
@@ -158,8 +169,8 @@ fn what_has_a_tree() {
 /// Rays from anywhere, of any length: those that the tree does not take get their hits too.
 #[test]
 fn rays_that_walk() {
-    for (name, mesh) in meshes() {
-        let scene = build(&mesh, &options());
+    for (name, mesh, options) in built() {
+        let scene = build(&mesh, &options);
         let view = scene.view();
         let lower = view.bounds().0;
         let side = 1.0 / f64::from_bits(get64(view.bytes(), UNIT));
@@ -300,26 +311,90 @@ fn depth_is_bounded() {
     assert_eq!(chain(65), Some(Error::Corrupt));
 }
 
+/// Triangles each larger than the one before, about one point.
+fn nested(count: i32, growth: f32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for i in 0..count {
+        let size = growth.powi(i - count / 2);
+        mesh.push([[-size, 0.0, 0.0], [size, 0.0, 0.0], [0.0, size, size]]);
+    }
+    mesh
+}
+
+/// The work of the tree alone.
+fn work(mesh: &Mesh, options: &Options) -> u64 {
+    let soup = [hug::Geometry::from_mesh(&mesh.vertices, &mesh.indices)];
+    let [with, without] = [true, false].map(|tree| {
+        let mut control = Control::default();
+        let options = Options { tree, ..*options };
+        let scene = Scene::build_with(&soup, &options, &mut control).expect("a scene");
+        assert_eq!(View::open(scene.view().bytes()).err(), None);
+        control.work()
+    });
+    with - without
+}
+
 /// What is counted is levels, so this says how many there are at the most.
 #[test]
 fn levels_are_few() {
-    // Triangles each twice as large as the one before, about one point.
-    let mut nested = Mesh::default();
-    for i in 0..120 {
-        let size = 2f32.powi(i - 60);
-        nested.push([[-size, 0.0, 0.0], [size, 0.0, 0.0], [0.0, size, size]]);
-    }
-    for (name, mesh) in meshes().into_iter().chain([("nested", nested)]) {
-        let mut control = Control::default();
-        let soup = [hug::Geometry::from_mesh(&mesh.vertices, &mesh.indices)];
-        let with = Scene::build_with(&soup, &options(), &mut control).expect("a scene");
-        assert_eq!(View::open(with.view().bytes()).err(), None, "{name}");
-        let with = control.work();
-        let without = Options { tree: false, ..options() };
-        Scene::build_with(&soup, &without, &mut control).expect("a scene");
+    for (name, mesh) in meshes().into_iter().chain([("nested", nested(120, 2.0))]) {
         let n = mesh.indices.len() as u64;
-        assert!(with <= control.work() + n * (2 + 2 * u64::from(n.ilog2())), "{name}: {with}");
+        let work = work(&mesh, &options());
+        assert!(work <= n * (2 + 2 * u64::from(n.ilog2())), "{name}: {work}");
     }
+}
+
+/// Trees with more care, of soups that are split one by one: as much work as is promised, not
+/// too deep, and what they find is right.
+#[test]
+fn chains_are_bounded() {
+    let [_, high] = trees();
+    let mut row = Mesh::default();
+    for i in 0..3000 {
+        let x = 1.02f32.powi(i);
+        row.push([[x, 0.0, 0.0], [x, x, 0.0], [x, 0.0, x]]);
+    }
+    let one = row.triangle(0);
+    let mut same = Mesh::default();
+    (0..3000).for_each(|_| same.push(one));
+    let chains = [
+        ("row", row),
+        ("same", same),
+        ("nested", nested(120, 2.0)),
+        ("nested slowly", nested(5000, 1.01)),
+    ];
+    for (name, mesh) in chains {
+        let n = mesh.indices.len() as u64;
+        let work = work(&mesh, &high);
+        assert!(work <= n * (220 + 2 * u64::from(n.ilog2() + 1)) + 400, "{name}: {work}");
+        let scene = build(&mesh, &high);
+        for (_, one) in adversarial_rays(&mesh, 9, 20) {
+            let one = ray(&one);
+            let expected = scene.view().intersect_brute(&one);
+            assert_same(&scene.view().intersect(&one), &expected, &one, &name);
+        }
+    }
+}
+
+/// More care is worth it: what nodes and leaves cost, by surface, is less in sum.
+#[test]
+fn care_costs_less() {
+    let mesh = soups::clustered(4000);
+    let [normal, high] = trees().map(|options| {
+        let scene = build(&mesh, &options);
+        let bytes = scene.view().bytes();
+        let mut cost = 0.0;
+        for (number, at, word) in parts(bytes) {
+            let part = (at - record(bytes, NODES, number) - PARTS.start) / 4;
+            let b = bounds(bytes, number, part).map(f64::from);
+            let [x, y, z] = [b[1] - b[0], b[3] - b[2], b[5] - b[4]];
+            if word != 0 {
+                cost += (x * y + y * z + z * x) * if word & 15 == IS_NODE { 67.0 } else { 210.0 };
+            }
+        }
+        cost
+    });
+    assert!(high < 0.95 * normal, "{high} {normal}");
 }
 
 /// A fine model on a plane of a million times its size: margins would make one leaf of it all.

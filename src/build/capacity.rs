@@ -3,7 +3,7 @@
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
 //! about `64 n + 136 G + 12 L + 20 V + 8 R` bytes, for a hierarchy `41 n` more, and the arena
 //! `48 n + 64 G + 12 V + 8 R`; where grids may be turned, `144 G` and `128 G` more; with a tree
-//! of boxes `99 n` and `65 n` more.
+//! of boxes `99 n` and `65 n` more, at HIGH another `68 n` of scratch memory.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
@@ -15,7 +15,7 @@ use super::turn::Turn;
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::{Counts, REF_WORDS, Triangle, sections};
-use crate::options::{Options, Orientation, Structure};
+use crate::options::{Options, Orientation, Quality, Structure};
 
 /// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +45,8 @@ pub struct Capacity {
     pub table: usize,
     /// Triangles that a tree of boxes is built over: all or none.
     pub tree: usize,
+    /// And a binary tree.
+    pub binary: usize,
 }
 
 /// Voxels that a grid over `objects` objects can have with `alpha`: rounding
@@ -80,6 +82,7 @@ impl Capacity {
         Self {
             triangles,
             tree: if tree { triangles } else { 0 },
+            binary: if tree && options.quality == Quality::High { triangles } else { 0 },
             filtered: if hug { triangles } else { 0 },
             grids: if none { 0 } else { whole(grids) },
             turns: if none || !turned { 0 } else { whole(grids) },
@@ -127,7 +130,9 @@ impl Capacity {
         ];
         // Room to align each slice.
         let mut scratch = 64 * 20;
-        for (count, size) in records.into_iter().chain(tree::Memory::records(self.tree)) {
+        for (count, size) in
+            records.into_iter().chain(tree::Memory::records([self.tree, self.binary]))
+        {
             scratch = count
                 .checked_mul(size)
                 .and_then(|bytes| bytes.checked_add(scratch))

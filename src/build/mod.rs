@@ -118,7 +118,7 @@ pub fn plan_with<'s>(
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
         let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
         let table = scratch.take::<u64>(capacity.table)?;
-        let tree = Memory::take(capacity.tree, &mut scratch)?;
+        let tree = Memory::take([capacity.tree, capacity.binary], &mut scratch)?;
         let mut nodes: &[Node] = &[];
         if capacity.tree > 0 && count >= LEAF as usize {
             control.pass(0.4)?;

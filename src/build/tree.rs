@@ -3,23 +3,36 @@
 //!
 //! Splits are those of least expected cost by surface area (MacDonald & Booth 1990) among
 //! the borders of a few bins (Wald 2007). A node is split at the part of the largest surface
-//! until it has eight parts. Level by level, a node is a task: its triangles lie together, and those of a
-//! level in the order of its nodes. Numbers are given between levels, so the tree does not
-//! depend on who did what. Where it becomes deep, triangles are halved instead, so that its
-//! depth, and with it the work, is bounded: there are at most [`CHOSEN`] + log2 n levels, and of
-//! each a triangle is in at most seven splits.
+//! until it has eight parts (`level`). Level by level, a node is a task: its triangles lie
+//! together, and those of a level in the order of its nodes. Numbers are given between levels
+//! (`numbers`), so the tree does not depend on who did what. Where it becomes deep, triangles
+//! are halved instead, so that its depth, and with it the work, is bounded: there are at most
+//! [`CHOSEN`] + log2 n levels, and of each a triangle is in at most seven splits.
+//!
+//! With more care, there is a binary tree first (`binary`), in which subtrees are moved
+//! (`reinsert`), and whose nodes are joined to those of least cost (`collapse`). Should that
+//! become too deep or too large, it is as if there had been no binary tree.
 
+mod binary;
+mod collapse;
 mod item;
+mod level;
+mod numbers;
+mod reinsert;
 mod split;
 
-use super::control::{Control, TASKS, parts};
+use super::control::Control;
 use super::frame::unit;
 use super::gather::Soup;
-use super::scratch::{Scratch, cut};
+use super::scratch::Scratch;
 use crate::Error;
-use crate::arena::layout::{LEAF, NODE, Node, PART_SHIFT, PARTS, TREE_UNITS};
+use crate::arena::layout::{MAX_DEPTH, Node, PART_SHIFT, TREE_UNITS};
+use binary::Binary;
+use collapse::{Collapse, Costs};
 use item::{Item, items};
-use split::{Bins, Part, split};
+use level::split_level;
+use numbers::Numbers;
+use reinsert::reinsert;
 
 pub use split::Care;
 
@@ -32,11 +45,6 @@ pub const MOST: usize = 1 << (32 - PART_SHIFT);
 /// (`trace::descent`).
 const MARGIN: f64 = 3.0 / (1 << 20) as f64;
 
-/// Half the surface of a box.
-fn surface([x, y, z]: [f64; 3]) -> f64 {
-    x * y + y * z + z * x
-}
-
 /// Most nodes over so many triangles. One without nodes below holds nine triangles at least,
 /// but for the root; one with such has eight parts, so these are a seventh of all leaves.
 pub fn capacity(triangles: usize) -> usize {
@@ -47,28 +55,37 @@ pub fn capacity(triangles: usize) -> usize {
 pub struct Memory<'s> {
     items: &'s mut [Item],
     nodes: &'s mut [Node],
-    /// Of each node that is named, the first of its items, and their number.
+    /// Of each node that is named, the first of its items, or what it was in the binary tree,
+    /// and the number of its triangles.
     ranges: &'s mut [[u32; 2]],
+    below: &'s mut [[u32; 2]],
+    costs: &'s mut [Costs],
 }
 
 impl<'s> Memory<'s> {
-    /// For up to so many triangles; none for none.
-    pub fn take(triangles: usize, scratch: &mut Scratch<'s>) -> Result<Self, Error> {
+    /// For up to so many triangles, and so many in a binary tree: all or none.
+    pub fn take([triangles, binary]: [usize; 2], scratch: &mut Scratch<'s>) -> Result<Self, Error> {
         let nodes = capacity(triangles);
         Ok(Self {
-            items: scratch.take(triangles)?,
+            items: scratch.take(triangles + binary)?,
             nodes: scratch.take(nodes)?,
             ranges: scratch.take(nodes)?,
+            below: scratch.take(binary)?,
+            costs: scratch.take(binary)?,
         })
     }
 
-    /// Bytes for up to so many triangles.
-    pub fn records(triangles: usize) -> [(usize, usize); 2] {
+    /// Bytes for these.
+    pub fn records([triangles, binary]: [usize; 2]) -> [(usize, usize); 3] {
         let nodes = capacity(triangles);
-        [(triangles, size_of::<Item>()), (nodes, size_of::<Node>() + size_of::<[u32; 2]>())]
+        [
+            (triangles, size_of::<Item>()),
+            (nodes, size_of::<Node>() + size_of::<[u32; 2]>()),
+            (binary, size_of::<Item>() + size_of::<[u32; 2]>() + size_of::<Costs>()),
+        ]
     }
 
-    /// Builds the tree over all triangles of a soup that is not empty, and orders them as its
+    /// Builds the tree over all triangles of a soup of two or more, and orders them as its
     /// leaves are. Where most triangles are in leaves so small beside the scene's extent that
     /// the descent's margins, which are in proportion to that, double their boxes' surface, there
     /// are no nodes: grids have coordinates of their own.
@@ -79,159 +96,82 @@ impl<'s> Memory<'s> {
         care: Care,
         control: &mut Control<'_>,
     ) -> Result<&'s [Node], Error> {
-        let Self { items: memory, nodes, ranges } = self;
+        let Self { items: memory, nodes, ranges, below, costs } = self;
         if !TREE_UNITS.contains(&unit(&soup.bounds)) {
             return Ok(&[]);
         }
-        let memory = &mut memory[..soup.triangles.len()];
-        items(soup, memory, control)?;
-        let mut numbers = Numbers { next: 1, first: 0, ranges, order, tiny: 0 };
-        numbers.ranges[0] = [0, memory.len() as u32];
-        let (mut level, mut depth) = (0..1, 0);
-        while !level.is_empty() {
-            let some = &mut nodes[level.clone()];
-            let ranges = &numbers.ranges[level.clone()];
-            split_level(some, ranges, memory, (depth < CHOSEN).then_some(care), control)?;
-            for node in some {
-                numbers.give(node, memory);
-            }
-            control.at(numbers.first, memory.len())?;
-            level = level.end..numbers.next;
-            depth += 1;
+        let n = soup.triangles.len();
+        items(soup, &mut memory[..n], control)?;
+        let mut found = None;
+        if !below.is_empty() {
+            let (boxes, below) = (&mut memory[..2 * n - 1], &mut below[..n - 1]);
+            let mut tree = Binary::build(boxes, below, care, control)?;
+            reinsert(&mut tree, order, control)?;
+            let tree = Collapse::new(tree, &mut costs[..n - 1], control)?;
+            let numbers = Numbers::new([tree.root(), n as u32], ranges, order);
+            found = collapse(&tree, nodes, numbers, control)?;
         }
-        Ok(if 2 * numbers.tiny > memory.len() { &[] } else { &nodes[..numbers.next] })
+        let [count, tiny] = match found {
+            Some(found) => found,
+            None => {
+                let numbers = Numbers::new([0, n as u32], ranges, order);
+                from_above(&mut memory[..n], nodes, numbers, care, control)?
+            }
+        };
+        Ok(if 2 * tiny > n { &[] } else { &nodes[..count] })
     }
 }
 
-/// Some nodes of a level and their items, the first of which is number `start`.
-struct Share<'a> {
-    nodes: &'a mut [Node],
-    ranges: &'a [[u32; 2]],
-    items: &'a mut [Item],
-    start: usize,
-}
-
-/// Splits the nodes of a level, in tasks.
-fn split_level(
-    mut nodes: &mut [Node],
-    mut ranges: &[[u32; 2]],
-    mut items: &mut [Item],
-    care: Option<Care>,
+/// Splits items into nodes; how many there are, and how many triangles are in tiny leaves.
+fn from_above(
+    items: &mut [Item],
+    nodes: &mut [Node],
+    mut numbers: Numbers<'_>,
+    care: Care,
     control: &mut Control<'_>,
-) -> Result<(), Error> {
-    let all: usize = ranges.iter().map(|range| range[1] as usize).sum();
-    let share = all.div_ceil(TASKS);
-    let mut at = 0;
-    let mut tasks = parts(|| {
-        let (mut count, mut sum) = (0, 0);
-        for range in ranges {
-            if sum >= share {
-                break;
-            }
-            (count, sum) = (count + 1, sum + range[1] as usize);
-        }
-        let (some, rest) = ranges.split_at(count);
-        ranges = rest;
-        let [start, _] = *some.first()?;
-        let [last, len] = *some.last()?;
-        cut(&mut items, start as usize - at);
-        at = (last + len) as usize;
-        let items = cut(&mut items, at - start as usize);
-        Some(Share { nodes: cut(&mut nodes, count), ranges: some, items, start: start as usize })
-    });
-    control.each(&mut tasks, |some| {
-        let mut bins = Bins::new();
-        for (node, [start, len]) in some.nodes.iter_mut().zip(some.ranges) {
-            let start = *start as usize - some.start;
-            let items = &mut some.items[start..start + *len as usize];
-            *node = split_node(items, (start + some.start) as u32, care, &mut bins);
-        }
-    })?;
-    control.count(all);
-    Ok(())
-}
-
-/// A node over some items. Its parts have no places yet: where they begin among all items,
-/// the first of these being `start`, is in the words that are reserved.
-fn split_node(items: &mut [Item], start: u32, care: Option<Care>, bins: &mut Bins) -> Node {
-    let mut parts = [Part::EMPTY; PARTS];
-    parts[0] = Part::of(items);
-    let mut count = 1;
-    while count < PARTS {
-        // A part's place among its neighbours stays, so that items of a level are in order.
-        let size = |part: &Part| if care.is_some() { part.surface() } else { part.len as f32 };
-        let large = (0..count).filter(|&k| parts[k].len > LEAF as usize);
-        let Some(k) = large.reduce(|a, b| if size(&parts[b]) > size(&parts[a]) { b } else { a })
-        else {
-            break;
-        };
-        let first: usize = parts[..k].iter().map(|part| part.len).sum();
-        let some = &mut items[first..first + parts[k].len];
-        let [a, b] = split(some, &parts[k], care, bins);
-        parts.copy_within(k + 1..count, k + 2);
-        (parts[k], parts[k + 1]) = (a, b);
-        count += 1;
-    }
-    let mut node = Node { bounds: [[0.0; PARTS]; 6], parts: [0; PARTS], reserved: [0; PARTS] };
-    let mut at = start;
-    for (i, part) in parts.iter().enumerate() {
-        for k in 0..3 {
-            (node.bounds[2 * k][i], node.bounds[2 * k + 1][i]) = (part.lo[k], part.hi[k]);
-        }
-        (node.parts[i], node.reserved[i]) = (part.len as u32, at);
-        at += part.len as u32;
-    }
-    node
-}
-
-/// The numbers of nodes and triangles to come.
-struct Numbers<'a> {
-    next: usize,
-    first: usize,
-    ranges: &'a mut [[u32; 2]],
-    order: &'a mut [u32],
-    /// Triangles in leaves whose boxes have twice the surface with a descent's margins, or more.
-    tiny: usize,
-}
-
-impl Numbers<'_> {
-    /// Gives the parts of a node their places, and puts the largest first: where any hit will do,
-    /// it is most likely to be there (surface area traversal order, Nah & Manocha 2014).
-    fn give(&mut self, node: &mut Node, items: &[Item]) {
-        let bounds = node.bounds;
-        let sides = |i: usize| {
-            [0, 1, 2].map(|k| f64::from(bounds[2 * k + 1][i]) - f64::from(bounds[2 * k][i]))
-        };
-        let mut order = [(0.0, 0); PARTS];
-        for (i, (part, start)) in node.parts.iter_mut().zip(&mut node.reserved).enumerate() {
-            let (len, start) = (*part, core::mem::take(start));
-            *part = if len > LEAF {
-                self.ranges[self.next] = [start, len];
-                self.next += 1;
-                (self.next as u32 - 1) << PART_SHIFT | NODE
-            } else if len > 0 {
-                let leaf = &items[start as usize..][..len as usize];
-                let met = surface(sides(i).map(|side| side + 2.0 * MARGIN));
-                if met > 2.0 * surface(sides(i)) {
-                    self.tiny += leaf.len();
-                }
-                for (to, item) in self.order[self.first..].iter_mut().zip(leaf) {
+) -> Result<[usize; 2], Error> {
+    let (mut level, mut depth) = (0..1, 0);
+    while !level.is_empty() {
+        let some = &mut nodes[level.clone()];
+        let ranges = &numbers.ranges[level.clone()];
+        split_level(some, ranges, items, (depth < CHOSEN).then_some(care), control)?;
+        for node in some {
+            numbers.give(node, &|start, to| {
+                for (to, item) in to.iter_mut().zip(&items[start as usize..]) {
                     *to = item.number();
                 }
-                self.first += leaf.len();
-                (self.first as u32 - len) << PART_SHIFT | len
-            } else {
-                0
-            };
-            order[i] = (if len > 0 { surface(sides(i)) } else { -1.0 }, i);
+            });
         }
-        order.sort_unstable_by(|(a, i), (b, j)| b.total_cmp(a).then(i.cmp(j)));
-        let parts = node.parts;
-        for (to, (_, from)) in order.into_iter().enumerate() {
-            node.parts[to] = parts[from];
-            for (row, bounds) in node.bounds.iter_mut().zip(&bounds) {
-                row[to] = bounds[from];
+        control.at(numbers.first, items.len())?;
+        level = level.end..numbers.next;
+        depth += 1;
+    }
+    Ok([numbers.next, numbers.tiny])
+}
+
+/// Writes the nodes of a binary tree; what [`from_above`] says, or `None` if they are too many or too
+/// deep.
+fn collapse(
+    tree: &Collapse<'_, '_>,
+    nodes: &mut [Node],
+    mut numbers: Numbers<'_>,
+    control: &mut Control<'_>,
+) -> Result<Option<[usize; 2]>, Error> {
+    let (mut level, mut depth) = (0..1, 0);
+    while !level.is_empty() {
+        if depth == MAX_DEPTH {
+            return Ok(None);
+        }
+        for i in level.clone() {
+            let node = &mut nodes[i];
+            *node = tree.node(numbers.ranges[i][0]);
+            if !numbers.give(node, &|part, to| tree.triangles(part, to)) {
+                return Ok(None);
             }
         }
+        control.at(numbers.first, tree.len(tree.root()) as usize)?;
+        level = level.end..numbers.next;
+        depth += 1;
     }
+    Ok(Some([numbers.next, numbers.tiny]))
 }

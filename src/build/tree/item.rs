@@ -9,14 +9,15 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec3A, Vec4};
 
 /// The box of a triangle, in coordinates times `unit` from the scene's lowest corner on, and
-/// its place in the soup.
+/// its place in the soup; or, in a binary tree, of a node, and how many triangles it holds.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct Item {
     lo: [f32; 3],
     number: u32,
     hi: [f32; 3],
-    reserved: u32,
+    /// In a binary tree, which node it is under.
+    above: u32,
 }
 
 /// In the fourth lanes of corners: they are normal numbers, as denormal ones would take long to
@@ -24,9 +25,27 @@ pub struct Item {
 const NORMAL: u32 = 1 << 30;
 
 impl Item {
-    /// Its triangle's place in the soup, below 2^30.
+    /// Its triangle's place in the soup, or a node's number of triangles, below 2^30.
     pub fn number(&self) -> u32 {
         self.number & !NORMAL
+    }
+
+    pub fn set_number(&mut self, number: u32) {
+        self.number = number | NORMAL;
+    }
+
+    #[inline(always)]
+    pub fn set_corners(&mut self, lo: Vec3A, hi: Vec3A) {
+        (self.lo, self.hi) = (lo.to_array(), hi.to_array());
+    }
+
+    /// The node it is under.
+    pub fn above(&self) -> u32 {
+        self.above & !NORMAL
+    }
+
+    pub fn set_above(&mut self, node: u32) {
+        self.above = node | NORMAL;
     }
 
     /// The lower and the upper corner.
@@ -71,7 +90,7 @@ impl Frame {
     #[inline(always)]
     fn item(&self, triangle: &Triangle, number: u32) -> Item {
         let number = number | NORMAL;
-        let mut item = Item { lo: [0.0; 3], number, hi: [0.0; 3], reserved: NORMAL };
+        let mut item = Item { lo: [0.0; 3], number, hi: [0.0; 3], above: NORMAL };
         for (k, [a, b, c]) in [triangle.x, triangle.y, triangle.z].into_iter().enumerate() {
             let least = |a: f32, b: f32| if a < b { a } else { b };
             let most = |a: f32, b: f32| if a > b { a } else { b };

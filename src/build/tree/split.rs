@@ -49,8 +49,9 @@ impl Part {
     }
 }
 
+/// Half the surface of a box.
 #[inline(always)]
-fn surface(lo: Vec3A, hi: Vec3A) -> f32 {
+pub fn surface(lo: Vec3A, hi: Vec3A) -> f32 {
     let side = hi - lo;
     side.x * side.y + side.y * side.z + side.z * side.x
 }
@@ -91,7 +92,7 @@ impl Bin {
 }
 
 /// Most bins.
-pub const BINS: usize = 32;
+const BINS: usize = 16;
 
 /// Room for the bins of three axes, whatever they hold.
 pub struct Bins([[Bin; BINS]; 3]);
@@ -126,16 +127,14 @@ impl Binning {
 /// How carefully splits are chosen.
 #[derive(Clone, Copy)]
 pub struct Care {
-    /// Bins of many items, at most [`BINS`].
-    pub bins: usize,
     /// Items above which only the axis is looked at along which their centres lie farthest
     /// apart.
     pub few: usize,
 }
 
 impl Care {
-    pub const NORMAL: Self = Self { bins: 16, few: 32 };
-    pub const HIGH: Self = Self { bins: 32, few: usize::MAX };
+    pub const NORMAL: Self = Self { few: 32 };
+    pub const HIGH: Self = Self { few: usize::MAX };
 }
 
 /// Cuts the items of a part, more than one, in two that are not empty: at the cheapest border of
@@ -159,7 +158,7 @@ fn cheapest(
     Bins(filled): &mut Bins,
 ) -> Option<(Binning, usize, usize)> {
     // Fewer bins for fewer items: what is done for a bin would take longer than the items.
-    let bins = care.bins.min(3 + items.len() / 8);
+    let bins = BINS.min(3 + items.len() / 8);
     let extent = part.last - part.first;
     // An axis without extent has a single bin, which cannot be split.
     let scale = Vec3A::splat(bins as f32) / extent.max(Vec3A::splat(f32::MIN_POSITIVE));
