@@ -162,10 +162,12 @@ impl<'a> Control<'a> {
         self.threads.is_some()
     }
 
-    /// Does `work` to each part, on the caller's threads if there are any.
+    /// Does `work` to each part, on the caller's threads if there are any. Parts are a slice and
+    /// this is no part of its callers, or compilers write it out task by task.
+    #[inline(never)]
     pub(super) fn each<T: Send>(
         &self,
-        parts: &mut Parts<T>,
+        parts: &mut [Option<T>],
         work: impl Fn(&mut T) + Sync,
     ) -> Result<(), Error> {
         let mut items = parts.iter_mut().flatten();
@@ -179,6 +181,7 @@ impl<'a> Control<'a> {
         self.run(&mut tasks[..count])
     }
 
+    #[inline(never)]
     fn run(&self, tasks: &mut [Task<'_>]) -> Result<(), Error> {
         match self.threads {
             Some(threads) if tasks.len() > 1 => threads.run(tasks),

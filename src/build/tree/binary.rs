@@ -56,8 +56,20 @@ struct Work<'a> {
 
 /// Pieces that wait.
 struct Waiting {
-    pieces: [Piece; WAITING],
+    pieces: [Option<Piece>; WAITING],
     count: usize,
+}
+
+impl Waiting {
+    fn push(&mut self, piece: Piece) {
+        self.pieces[self.count] = Some(piece);
+        self.count += 1;
+    }
+
+    fn pop(&mut self) -> Option<Piece> {
+        self.count = self.count.checked_sub(1)?;
+        self.pieces[self.count]
+    }
 }
 
 /// What is left of some records.
@@ -207,23 +219,23 @@ impl<'a> Binary<'a> {
 impl Work<'_> {
     fn run(&mut self, care: Care) {
         let mut bins = Bins::new();
-        let mut waiting = Waiting { pieces: [self.piece; WAITING], count: 1 };
-        while waiting.count > 0 {
-            waiting.count -= 1;
-            self.split(&mut waiting, care, &mut bins);
+        let mut waiting = Waiting { pieces: [const { None }; WAITING], count: 0 };
+        waiting.push(self.piece);
+        while let Some(piece) = waiting.pop() {
+            self.split(&piece, &mut waiting, care, &mut bins);
             if !self.all {
                 break;
             }
         }
         for (to, left) in self.left.iter_mut().zip(&waiting.pieces[..waiting.count]) {
-            *to = Some(*left);
+            *to = *left;
         }
     }
 
-    /// Makes a node of the next piece.
+    /// Makes a node of a piece; what is left of it waits.
     #[inline(never)]
-    fn split(&mut self, waiting: &mut Waiting, care: Care, bins: &mut Bins) {
-        let Piece { first, part, depth, above } = waiting.pieces[waiting.count];
+    fn split(&mut self, piece: &Piece, waiting: &mut Waiting, care: Care, bins: &mut Bins) {
+        let Piece { first, part, depth, above } = *piece;
         let start = self.piece.first;
         let items = &mut self.items[first - start..][..part.len];
         self.done += part.len;
@@ -241,9 +253,7 @@ impl Work<'_> {
         for side in [1 - small, small] {
             let (part, first) = (parts[side], first + side * len);
             if part.len > 1 {
-                waiting.pieces[waiting.count] =
-                    Piece { first, part, depth: depth + 1, above: node };
-                waiting.count += 1;
+                waiting.push(Piece { first, part, depth: depth + 1, above: node });
             } else {
                 self.items[first - start].set_above(node);
                 self.below[border - start][side] = first as u32;
