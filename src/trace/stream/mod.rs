@@ -75,14 +75,16 @@ struct Apart<'a, 'p, Q: Query> {
 
 impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     type Out = ();
-    const BEST: Isa = best::<Uncounted>();
+    // In a scene with a tree those for any hit walk in no grid, so that a kernel of their own for
+    // AVX-512 would be a fiftieth of the library for what is seldom there.
+    const BEST: Isa = if Q::ANY { Isa::Avx2 } else { best::<Uncounted>() };
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, n } = self;
         let together = !Q::ANY && packet::suits(view);
         // In a tree, rays one by one are quicker than some dozens in the grids; not for the closest
         // hits where these have comparisons into masks.
-        let alone = view.header().nodes.count > 0 && (Q::ANY || !L::MASKS);
+        let alone = view.header().nodes.count > 0 && !L::MASKS;
         let (mut next, mut apart) = (0, APART);
         while next < n {
             let mut end = n;
