@@ -216,6 +216,7 @@ impl Line {
         (t >= self.tmin && t <= finite(tmax)).then_some(t + 0.0)
     }
 
+    /// As all that is rarely needed, of copies: what others point to would be kept in memory.
     fn case(self, corners: [[f32; 3]; 3]) -> Case {
         // They were widened without loss.
         Case::new(self.org.map(|x| x as f32), self.dir.map(|x| x as f32), corners)

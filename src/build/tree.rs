@@ -175,3 +175,37 @@ fn collapse(
     }
     Ok(Some([numbers.next, numbers.tiny]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use bytemuck::Zeroable;
+    use std::{vec, vec::Vec};
+
+    /// Where the nodes of least cost are more than there is room for, triangles are split as if
+    /// there had been no binary tree.
+    #[test]
+    fn too_many_nodes() {
+        const COUNT: usize = 900;
+        let mut control = Control::default();
+        let (mut boxes, mut below) = (binary::tests::boxes(1, COUNT), vec![[0; 2]; COUNT - 1]);
+        let mut costs = vec![[0.0; 7]; COUNT - 1];
+        let (mut order, mut ranges) = (vec![0; COUNT], vec![[0; 2]; capacity(COUNT)]);
+        let mut nodes = vec![Node::zeroed(); capacity(COUNT)];
+        let mut tree =
+            Binary::build(&mut boxes, &mut below, Care::HIGH, &mut control).expect("not cancelled");
+        reinsert(&mut tree, &mut order, &mut control).expect("not cancelled");
+        let tree = Collapse::new(tree, &mut costs, &mut control).expect("not cancelled");
+        let root = [tree.root(), COUNT as u32];
+        let numbers = Numbers::new(root, &mut ranges[..9], &mut order);
+        let found = collapse(&tree, &mut nodes, numbers, &mut control);
+        assert_eq!(found, Ok(None));
+        let numbers = Numbers::new([0, COUNT as u32], &mut ranges, &mut order);
+        let [count, _] =
+            from_above(&mut boxes[..COUNT], &mut nodes, numbers, Care::HIGH, &mut control)
+                .expect("not cancelled");
+        assert!((9..=capacity(COUNT)).contains(&count));
+        order.sort_unstable();
+        assert_eq!(order, (0..COUNT as u32).collect::<Vec<_>>());
+    }
+}

@@ -21,6 +21,7 @@
 //! leave a doubt, U is at most `|det| + 4 E`; used are B = `2.5 E + 5.5 e |det|` for det and 2 Z B for
 //! the other, as if |end| were no more than Z. Where it is more, either the whole triangle is out
 //! of range, or `height - end det` is at most `Z (U - |det|)` and its roundings, less than the bound.
+//! Signs are turned so that det is positive and z grows with t: it is the depth.
 //!
 //! 2^-100 is added to E and to the other bound for what underflows: of scenes less than some
 //! 1e-10 long little is out. An infinite end makes infinities and NaN, which are never out. Of
