@@ -17,8 +17,8 @@
 
 use core::marker::PhantomData;
 
-use super::query::{Query, decide};
-use super::sieve::{FARTHEST, Sieve};
+use super::query::{Query, decide, visible};
+use super::sieve::{FARTHEST, Sieve, Sieved};
 use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS, TREE_UNITS};
 use crate::arena::{Row, Sections, View};
 use crate::ray::Ray;
@@ -161,13 +161,34 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     fn hidden(&mut self, occluders: &[u32], query: &mut Q) -> bool {
         let l = self.lanes;
         for few in occluders.chunks(L::WIDE) {
-            let mut left = self.sieve().pass(l, few);
+            let (mut left, sieved) = self.sieve().few(l, few);
+            if self.certain(&sieved, left, |i| few[i]) {
+                return query.take_any();
+            }
             while left != 0 {
                 if self.decide(few[left.trailing_zeros() as usize], query) {
                     return true;
                 }
                 left &= left - 1;
             }
+        }
+        false
+    }
+
+    /// Whether the ray hits one of these triangles, which passed, for certain.
+    #[inline(always)]
+    fn certain(&self, sieved: &Sieved<L>, left: u32, number: impl Fn(usize) -> u32) -> bool {
+        if left == 0 || self.ray.flags != 0 {
+            return false;
+        }
+        let Some(sieve) = &self.sieve else { return false };
+        let mut certain = left & sieve.certain(self.lanes, sieved);
+        while certain != 0 {
+            let number = number(certain.trailing_zeros() as usize);
+            if visible(self.ray, self.sections.triangle(number)) {
+                return true;
+            }
+            certain &= certain - 1;
         }
         false
     }
@@ -262,6 +283,9 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         while of_leaf != 0 {
             let sieved = self.sieve().run(l, start);
             let mut left = of_leaf & (u32::MAX >> (32 - L::WIDE)) & !sieved.out;
+            if Q::ANY && self.certain(&sieved, left, |i| start + i as u32) {
+                return query.take_any();
+            }
             while left != 0 {
                 let i = if Q::ANY {
                     left.trailing_zeros()

@@ -39,6 +39,10 @@ pub(crate) trait Query: Copy {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool>;
+    /// Takes some hit, if that is all that is wanted.
+    fn take_any(&mut self) -> bool {
+        Self::ANY
+    }
     /// What was found, once all has been met.
     fn found(&self, sections: &Sections<'_>, ray: &Ray) -> Self::Out;
 }
@@ -168,6 +172,12 @@ impl Query for Any {
     ) -> Option<bool> {
         self.found = line.pierces_in(l, triangle, self.tmax);
         self.found.then_some(true)
+    }
+
+    #[inline(always)]
+    fn take_any(&mut self) -> bool {
+        self.found = true;
+        true
     }
 
     #[inline(always)]

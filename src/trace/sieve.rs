@@ -27,6 +27,10 @@
 //! 1e-10 long little is out. An infinite end makes infinities and NaN, which are never out. Of
 //! scenes so large that products leave the range of `f32` nothing is out either, but what is by z.
 //!
+//! A hit is certain if the ray passes all edges on one side by more than E, and the place is in
+//! range by more than these bounds doubled, which leaves room for the roundings of the comparisons:
+//! `height + 2 Z B < end det - 2 B |end|`, with `end` as far inside as it else is outside.
+//!
 //! Where lanes are arrays, only the corners' own z are held against the range: they are off by a
 //! rounding each, for which its ends have room.
 
@@ -129,11 +133,14 @@ impl<'a> Sieve<'a> {
     /// the ray may meet in range.
     #[inline(always)]
     pub fn pass<L: Lanes>(&self, l: L, refs: &[u32]) -> u32 {
-        let all = (1u32 << refs.len()) - 1;
         // One alone is decided nearly as soon as it is sieved.
-        if refs.len() == 1 {
-            return all;
-        }
+        if refs.len() == 1 { 1 } else { self.few(l, refs).0 }
+    }
+
+    /// [`Sieve::pass`], and all that was found.
+    #[inline(always)]
+    pub fn few<L: Lanes>(&self, l: L, refs: &[u32]) -> (u32, Sieved<L>) {
+        let all = (1u32 << refs.len()) - 1;
         let rows = l.thrice(refs);
         let [x, y, z] = &self.axes;
         let triangles = [
@@ -143,7 +150,8 @@ impl<'a> Sieve<'a> {
         ];
         let [org, slope, range] = &self.rows;
         let rays = [splat3(l, org), splat3(l, slope), splat3(l, range)];
-        all & !Sieved::new(l, rays, triangles).out
+        let sieved = Sieved::new(l, rays, triangles);
+        (all & !sieved.out, sieved)
     }
 
     /// [`Lanes::WIDE`] triangles, from number `first` on.
@@ -191,6 +199,19 @@ impl<'a> Sieve<'a> {
         }
     }
 
+    /// One bit for each of these triangles that the ray hits for certain in range, as it was all
+    /// along.
+    #[inline(always)]
+    pub fn certain<L: Lanes>(&self, l: L, sieved: &Sieved<L>) -> u32 {
+        let Some(place) = &sieved.place else { return 0 };
+        let [lo, hi, ..] = self.rows[2];
+        let inside = |end: f32| end - (end.abs() * (16.0 * f32::EPSILON) + 4.0 * self.slack);
+        // What can be told about at all is nearer; products of infinities would be NaN.
+        let [lo, hi] =
+            [-lo, hi].map(|end| if end < 10.0 * FARTHEST { inside(end) } else { 10.0 * FARTHEST });
+        place.certain(l, sieved.edges, [-lo, hi])
+    }
+
     /// One bit for each of [`Lanes::WIDE`] triangles, from references, that a ray of its own
     /// may meet in range.
     #[inline(always)]
@@ -220,6 +241,8 @@ type Triangles<L> = [[<L as Lanes>::Wide; 3]; 3];
 pub(super) struct Sieved<L: Lanes> {
     /// One bit for each triangle that its ray misses.
     pub out: u32,
+    /// By how much rays pass all edges on one side at least, and the bound of the error.
+    edges: [L::Wide; 2],
     /// Where lanes are registers.
     place: Option<Place<L>>,
 }
@@ -256,6 +279,7 @@ impl<L: Lanes> Sieved<L> {
         let least = l.min_wide(l.min_wide(ab, bc), ca);
         let zero = l.splat_wide(0.0);
         let beside = [l.min_wide(most, l.sub_wide(zero, least)), error];
+        let edges = [l.max_wide(least, l.sub_wide(zero, most)), error];
         if !L::REGISTERS {
             let [a, b, c] = [a.z, b.z, c.z];
             let [a, b, c] = [l.turn_wide(a, sign), l.turn_wide(b, sign), l.turn_wide(c, sign)];
@@ -263,7 +287,7 @@ impl<L: Lanes> Sieved<L> {
             let far = l.max_wide(l.max_wide(a, b), c);
             let apart = l.max_wide(l.sub_wide(near, hi), l.sub_wide(lo, far));
             let out = l.misses(beside, [apart, zero], [l.splat_wide(1.0), zero]);
-            return Self { out, place: None };
+            return Self { out, edges, place: None };
         }
         let det = l.add_wide(l.add_wide(ab, bc), ca);
         let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
@@ -273,7 +297,7 @@ impl<L: Lanes> Sieved<L> {
         let det_error = l.mul_add_wide(det, l.splat_wide(5.5 * E), error);
         let height_error = l.mul_add_wide(twice, det_error, l.splat_wide(TINY));
         let place = Place { height, det, height_error, det_error };
-        Self { out: place.out_or(l, beside, [lo, hi]), place: Some(place) }
+        Self { out: place.out_or(l, beside, [lo, hi]), edges, place: Some(place) }
     }
 }
 
@@ -285,6 +309,24 @@ impl<L: Lanes> Place<L> {
         let behind = l.less_product(self.height, hi, self.det);
         let beyond = [l.max_wide(before, behind), self.height_error];
         l.misses(ab, beyond, [self.det, self.det_error])
+    }
+
+    /// One bit for each in which `a > b` and that is in range for certain.
+    #[inline(always)]
+    fn certain(&self, l: L, ab: [L::Wide; 2], [lo, hi]: [f32; 2]) -> u32 {
+        let twice = l.add_wide(self.det_error, self.det_error);
+        let least =
+            l.mul_add_wide(self.det, l.splat_wide(lo), l.mul_wide(twice, l.splat_wide(lo.abs())));
+        let most =
+            l.less_product(l.mul_wide(self.det, l.splat_wide(hi)), twice, l.splat_wide(hi.abs()));
+        let [near, far] = [
+            l.sub_wide(self.height, self.height_error),
+            l.add_wide(self.height, self.height_error),
+        ];
+        let room = l.min_wide(l.sub_wide(near, least), l.sub_wide(most, far));
+        let zero = l.splat_wide(0.0);
+        let size = l.sub_wide(self.det, twice);
+        l.misses([zero, zero], ab, [l.min_wide(room, size), zero])
     }
 
     /// One bit for each that is out of range.
