@@ -69,6 +69,14 @@ pub(super) struct Slabs<L: Lanes> {
     far: [Row; 3],
 }
 
+/// A ray in the tree's coordinates: where it begins, its direction, and the sizes of that.
+#[derive(Clone, Copy)]
+pub(super) struct Start<L: Lanes> {
+    place: L::F32,
+    dir: L::F32,
+    speed: L::F32,
+}
+
 /// A tau that no parameter that rounds to `limit` or less is above.
 #[inline(always)]
 fn beyond(limit: f32, unit: f32) -> f32 {
@@ -82,7 +90,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     /// That of a ray in a scene with a tree; `None` for one that is to walk, or that cannot hit
     /// anything.
     #[inline(always)]
-    pub fn new(l: L, view: &View<'a>, ray: &'a Ray) -> Option<(Self, Slabs<L>)> {
+    pub fn new(l: L, view: &View<'a>, ray: &'a Ray) -> Option<(Self, Start<L>)> {
         let [org, dir, _] = ray.rows();
         let (org, dir) = (l.load3(org), l.load3(dir));
         let header = view.header();
@@ -97,23 +105,6 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         if !suits {
             return None;
         }
-        let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
-        let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
-        let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
-        let pace = l.sign_f32(pace, dir);
-        let at = l.minus_f32(l.mul_f32(place, pace));
-        let enter = l.array_f32(l.sub_f32(at, room));
-        let leave = l.array_f32(l.add_f32(at, room));
-        let pace = l.array_f32(pace);
-        let signs = l.signs(dir) as usize;
-        let slabs = Slabs {
-            pace: each!(k => l.splat_wide(pace[k])),
-            enter: each!(k => l.splat_wide(enter[k])),
-            leave: each!(k => l.splat_wide(leave[k])),
-            from: l.splat_wide(-beyond(-ray.tmin, unit)),
-            near: Row::FIRST[signs % 8],
-            far: Row::FIRST[!signs % 8],
-        };
         let descent = Self {
             lanes: l,
             sections: view.sections(),
@@ -124,17 +115,18 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
             to: beyond(ray.tmax, unit),
             query: PhantomData,
         };
-        Some((descent, slabs))
+        Some((descent, Start { place, dir, speed }))
     }
 
     /// Goes down from the root; for any hit, `occluders` are met before. The query is not part of
     /// this record, as exact tests write to it: what is pointed to is in memory, and the rest is
     /// not to be.
     #[inline(always)]
-    pub fn run(&mut self, slabs: &Slabs<L>, occluders: &[u32], query: &mut Q) {
+    pub fn run(&mut self, start: &Start<L>, occluders: &[u32], query: &mut Q) {
         if Q::ANY && self.hidden(occluders, query) {
             return;
         }
+        let slabs = Slabs::new(self.lanes, start, -beyond(-self.ray.tmin, self.unit));
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
         let mut part = NODE;
@@ -340,6 +332,28 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
 }
 
 impl<L: Lanes> Slabs<L> {
+    /// Those of a ray of which no tau below `from` is of interest.
+    #[inline(always)]
+    fn new(l: L, &Start { place, dir, speed }: &Start<L>, from: f32) -> Self {
+        let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
+        let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
+        let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
+        let pace = l.sign_f32(pace, dir);
+        let at = l.minus_f32(l.mul_f32(place, pace));
+        let enter = l.array_f32(l.sub_f32(at, room));
+        let leave = l.array_f32(l.add_f32(at, room));
+        let pace = l.array_f32(pace);
+        let signs = l.signs(dir) as usize;
+        Self {
+            pace: each!(k => l.splat_wide(pace[k])),
+            enter: each!(k => l.splat_wide(enter[k])),
+            leave: each!(k => l.splat_wide(leave[k])),
+            from: l.splat_wide(from),
+            near: Row::FIRST[signs % 8],
+            far: Row::FIRST[!signs % 8],
+        }
+    }
+
     /// A bit for each part of a node that the ray meets up to `to`, and where it enters these:
     /// in one wide row, or two.
     #[inline(always)]

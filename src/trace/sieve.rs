@@ -205,11 +205,20 @@ impl<'a> Sieve<'a> {
     pub fn certain<L: Lanes>(&self, l: L, sieved: &Sieved<L>) -> u32 {
         let Some(place) = &sieved.place else { return 0 };
         let [lo, hi, ..] = self.rows[2];
-        let inside = |end: f32| end - (end.abs() * (16.0 * f32::EPSILON) + 4.0 * self.slack);
-        // What can be told about at all is nearer; products of infinities would be NaN.
-        let [lo, hi] =
-            [-lo, hi].map(|end| if end < 10.0 * FARTHEST { inside(end) } else { 10.0 * FARTHEST });
-        place.certain(l, sieved.edges, [-lo, hi])
+        // An end that is infinite on the wrong side is NaN.
+        if !(lo <= hi) {
+            return 0;
+        }
+        // What is sieved at all is nearer, and products of infinities would be NaN.
+        const NEARER: f32 = 10.0 * FARTHEST;
+        let inside = |end: f32| {
+            if end < NEARER {
+                end - (end.abs() * (16.0 * f32::EPSILON) + 4.0 * self.slack)
+            } else {
+                NEARER
+            }
+        };
+        place.certain(l, sieved.edges, [-inside(-lo), inside(hi)])
     }
 
     /// One bit for each of [`Lanes::WIDE`] triangles, from references, that a ray of its own

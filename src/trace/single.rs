@@ -79,9 +79,9 @@ impl<Q: Query> AnyKernel for Down<'_, Q> {
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Option<Q::Out> {
         let Self { view, ray, .. } = self;
-        let (mut descent, slabs) = Descent::<Q, L>::new(lanes, view, ray)?;
+        let (mut descent, start) = Descent::<Q, L>::new(lanes, view, ray)?;
         let mut query = Q::new(ray);
-        descent.run(&slabs, view.header().occluders(), &mut query);
+        descent.run(&start, view.header().occluders(), &mut query);
         Some(query.found(&view.sections(), ray))
     }
 

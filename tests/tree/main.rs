@@ -2,6 +2,7 @@
 //! the grids. That hits are exact with it is what `matrix` and the others test: AUTO has one.
 #![allow(missing_docs)]
 
+mod any;
 #[path = "../common/mod.rs"]
 mod common;
 mod work;

@@ -1,0 +1,59 @@
+//! Any hit, where the sieve alone can tell and where it must not: at the ends of the range, at edges,
+//! of triangles that the ray does not see.
+
+use super::{built, trees};
+use crate::common::{adversarial_rays, build, ray};
+use hug::{Ray, View};
+use hug_kit::{Mesh, soups};
+
+/// What the definition says, for rays that begin or end at the closest hit or next to it.
+fn check(view: &View<'_>, one: &Ray, name: &str) -> usize {
+    let hit = view.intersect_brute(one);
+    let ends = [hit.t.next_down(), hit.t, hit.t.next_up(), f32::MAX, f32::INFINITY];
+    let starts = [-f32::INFINITY, f32::MIN, hit.t.next_down(), hit.t, hit.t.next_up()];
+    let mut found = 0;
+    for tmin in starts.into_iter().chain([one.tmin]) {
+        for tmax in ends.into_iter().chain([one.tmax]) {
+            let within = Ray { tmin, tmax, ..*one };
+            let beside = Ray { skip_geom: hit.geom, skip_prim: hit.prim, ..within };
+            let masked = Ray { mask: 2, ..within };
+            let culled = [Ray::CULL_BACK, Ray::CULL_FRONT].map(|flags| Ray { flags, ..within });
+            for ray in [within, beside, masked, culled[0], culled[1]] {
+                let expected = view.intersect_brute(&ray).is_hit();
+                assert_eq!(view.occluded(&ray), expected, "{name}: {ray:?}");
+                found += usize::from(expected);
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn any_hit_at_the_ends_of_the_range() {
+    for (name, mesh, options) in built() {
+        let scene = build(&mesh, &options);
+        let found: usize = adversarial_rays(&mesh, 11, 15)
+            .iter()
+            .map(|(_, one)| check(&scene.view(), &ray(one), name))
+            .sum();
+        assert!(found > 500, "{name}: {found}");
+    }
+}
+
+/// Far from the origin and close to it, large and small: errors grow with what they are of.
+#[test]
+fn any_hit_at_any_scale() {
+    for (scale, shift) in [(1e-9, 0.0), (1.0, 1e4), (1e-3, 1.0), (1e8, 1e9)] {
+        let from = soups::tangle(3, 200);
+        let mut mesh = Mesh::default();
+        for i in 0..200 {
+            mesh.push(from.triangle(i).map(|v| v.map(|x| x * scale + shift)));
+        }
+        for options in trees() {
+            let scene = build(&mesh, &options);
+            for (_, one) in adversarial_rays(&mesh, 12, 6) {
+                check(&scene.view(), &ray(&one), "scale");
+            }
+        }
+    }
+}
