@@ -17,8 +17,8 @@
 
 use core::marker::PhantomData;
 
-use super::query::{Query, decide, visible};
-use super::sieve::{FARTHEST, Sieve, Sieved};
+use super::query::{Query, decide};
+use super::sieve::{FARTHEST, Sieve};
 use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS, TREE_UNITS};
 use crate::arena::{Row, Sections, View};
 use crate::ray::Ray;
@@ -154,7 +154,9 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         let l = self.lanes;
         for few in occluders.chunks(L::WIDE) {
             let (mut left, sieved) = self.sieve().few(l, few);
-            if self.certain(&sieved, left, |i| few[i]) {
+            let (sections, ray) = (self.sections, self.ray);
+            let triangle = |i: usize| sections.triangle(few[i]);
+            if self.sieve().hits(l, ray, &sieved, left, triangle) {
                 return query.take_any();
             }
             while left != 0 {
@@ -163,24 +165,6 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
                 }
                 left &= left - 1;
             }
-        }
-        false
-    }
-
-    /// Whether the ray hits one of these triangles, which passed, for certain.
-    #[inline(always)]
-    fn certain(&self, sieved: &Sieved<L>, left: u32, number: impl Fn(usize) -> u32) -> bool {
-        if left == 0 || self.ray.flags != 0 {
-            return false;
-        }
-        let Some(sieve) = &self.sieve else { return false };
-        let mut certain = left & sieve.certain(self.lanes, sieved);
-        while certain != 0 {
-            let number = number(certain.trailing_zeros() as usize);
-            if visible(self.ray, self.sections.triangle(number)) {
-                return true;
-            }
-            certain &= certain - 1;
         }
         false
     }
@@ -275,8 +259,12 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         while of_leaf != 0 {
             let sieved = self.sieve().run(l, start);
             let mut left = of_leaf & (u32::MAX >> (32 - L::WIDE)) & !sieved.out;
-            if Q::ANY && self.certain(&sieved, left, |i| start + i as u32) {
-                return query.take_any();
+            if Q::ANY {
+                let (sections, ray) = (self.sections, self.ray);
+                let triangle = |i: usize| sections.triangle(start + i as u32);
+                if self.sieve().hits(l, ray, &sieved, left, triangle) {
+                    return query.take_any();
+                }
             }
             while left != 0 {
                 let i = if Q::ANY {

@@ -34,12 +34,17 @@
 //! Where lanes are arrays, only the corners' own z are held against the range: they are off by a
 //! rounding each, for which its ends have room.
 
+mod sieved;
+
 use super::counters::Count;
+use crate::arena::layout::Triangle;
 use crate::arena::{Axis, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
 use super::bounds::splat3;
+use super::query::visible;
+pub(super) use sieved::Sieved;
 
 /// Distances below which products of three sheared coordinates stay in the range of `f32`.
 pub(super) const FARTHEST: f32 = 1e12;
@@ -199,26 +204,39 @@ impl<'a> Sieve<'a> {
         }
     }
 
-    /// One bit for each of these triangles that the ray hits for certain in range, as it was all
-    /// along.
+    /// Whether the ray, which this is the sieve of, hits for certain one of those of these triangles
+    /// that passed, a bit each; the range is as it was then.
     #[inline(always)]
-    pub fn certain<L: Lanes>(&self, l: L, sieved: &Sieved<L>) -> u32 {
-        let Some(place) = &sieved.place else { return 0 };
+    pub fn hits<L: Lanes>(
+        &self,
+        l: L,
+        ray: &Ray,
+        sieved: &Sieved<L>,
+        passed: u32,
+        triangle: impl Fn(usize) -> &'a Triangle,
+    ) -> bool {
+        let Some(place) = &sieved.place else { return false };
         let [lo, hi, ..] = self.rows[2];
         // An end that is infinite on the wrong side is NaN.
-        if !(lo <= hi) {
-            return 0;
+        let known = lo <= hi;
+        if passed == 0 || ray.flags != 0 || !known {
+            return false;
         }
-        // What is sieved at all is nearer, and products of infinities would be NaN.
-        const NEARER: f32 = 10.0 * FARTHEST;
+        // What is sieved at all is nearer than that, and has a t if it is no farther than the
+        // largest; products of infinities would be NaN.
+        let most = (self.pace * f32::MAX).min(10.0 * FARTHEST);
         let inside = |end: f32| {
-            if end < NEARER {
-                end - (end.abs() * (16.0 * f32::EPSILON) + 4.0 * self.slack)
-            } else {
-                NEARER
-            }
+            let end = if end < most { end } else { most };
+            end - (end.abs() * (16.0 * f32::EPSILON) + 4.0 * self.slack)
         };
-        place.certain(l, sieved.edges, [-inside(-lo), inside(hi)])
+        let mut left = passed & place.certain(l, sieved.edges, [-inside(-lo), inside(hi)]);
+        while left != 0 {
+            if visible(ray, triangle(left.trailing_zeros() as usize)) {
+                return true;
+            }
+            left &= left - 1;
+        }
+        false
     }
 
     /// One bit for each of [`Lanes::WIDE`] triangles, from references, that a ray of its own
@@ -241,128 +259,4 @@ impl<'a> Sieve<'a> {
         ];
         Sieved::new(l, rays, triangles).out ^ (u32::MAX >> (32 - L::WIDE))
     }
-}
-
-/// Coordinates of several triangles: axis by axis those of the corners.
-type Triangles<L> = [[<L as Lanes>::Wide; 3]; 3];
-
-/// What a sieve finds.
-pub(super) struct Sieved<L: Lanes> {
-    /// One bit for each triangle that its ray misses.
-    pub out: u32,
-    /// By how much rays pass all edges on one side at least, and the bound of the error.
-    edges: [L::Wide; 2],
-    /// Where lanes are registers.
-    place: Option<Place<L>>,
-}
-
-/// Where rays meet triangles that they do not pass: the depth times the determinant's size, that,
-/// and bounds of their errors.
-#[derive(Clone, Copy)]
-struct Place<L: Lanes> {
-    height: L::Wide,
-    det: L::Wide,
-    height_error: L::Wide,
-    det_error: L::Wide,
-}
-
-impl<L: Lanes> Sieved<L> {
-    /// `rays` are in the order of [`Sieve::rows`].
-    #[inline(always)]
-    fn new(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> Self {
-        let [org, [sx, sy, tiny], [lo, hi, sign]] = rays;
-        let slope = [sx, sy];
-        let a = shear(l, org, slope, [xs[0], ys[0], zs[0]]);
-        let b = shear(l, org, slope, [xs[1], ys[1], zs[1]]);
-        let c = shear(l, org, slope, [xs[2], ys[2], zs[2]]);
-        let ab = l.cross_wide(a.x, b.y, a.y, b.x);
-        let bc = l.cross_wide(b.x, c.y, b.y, c.x);
-        let ca = l.cross_wide(c.x, a.y, c.y, a.x);
-        let size = l.add_wide(l.add_wide(a.size, b.size), c.size);
-        let depth = l.max_wide(l.max_wide(l.abs_wide(a.z), l.abs_wide(b.z)), l.abs_wide(c.z));
-        let twice = l.add_wide(depth, depth);
-        let far = l.add_wide(size, twice);
-        let error = l.mul_wide(far, l.splat_wide(3.0 * E));
-        let error = l.mul_add_wide(error, l.mul_add_wide(far, l.splat_wide(5.0 * E), size), tiny);
-        let most = l.max_wide(l.max_wide(ab, bc), ca);
-        let least = l.min_wide(l.min_wide(ab, bc), ca);
-        let zero = l.splat_wide(0.0);
-        let beside = [l.min_wide(most, l.sub_wide(zero, least)), error];
-        let edges = [l.max_wide(least, l.sub_wide(zero, most)), error];
-        if !L::REGISTERS {
-            let [a, b, c] = [a.z, b.z, c.z];
-            let [a, b, c] = [l.turn_wide(a, sign), l.turn_wide(b, sign), l.turn_wide(c, sign)];
-            let near = l.min_wide(l.min_wide(a, b), c);
-            let far = l.max_wide(l.max_wide(a, b), c);
-            let apart = l.max_wide(l.sub_wide(near, hi), l.sub_wide(lo, far));
-            let out = l.misses(beside, [apart, zero], [l.splat_wide(1.0), zero]);
-            return Self { out, edges, place: None };
-        }
-        let det = l.add_wide(l.add_wide(ab, bc), ca);
-        let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
-        let height = l.turn_wide(l.turn_wide(height, det), sign);
-        let det = l.abs_wide(det);
-        let error = l.mul_wide(error, l.splat_wide(2.5));
-        let det_error = l.mul_add_wide(det, l.splat_wide(5.5 * E), error);
-        let height_error = l.mul_add_wide(twice, det_error, l.splat_wide(TINY));
-        let place = Place { height, det, height_error, det_error };
-        Self { out: place.out_or(l, beside, [lo, hi]), edges, place: Some(place) }
-    }
-}
-
-impl<L: Lanes> Place<L> {
-    /// One bit for each that is out of range, or in which `a > b`.
-    #[inline(always)]
-    fn out_or(&self, l: L, ab: [L::Wide; 2], [lo, hi]: [L::Wide; 2]) -> u32 {
-        let before = l.product_less(lo, self.det, self.height);
-        let behind = l.less_product(self.height, hi, self.det);
-        let beyond = [l.max_wide(before, behind), self.height_error];
-        l.misses(ab, beyond, [self.det, self.det_error])
-    }
-
-    /// One bit for each in which `a > b` and that is in range for certain.
-    #[inline(always)]
-    fn certain(&self, l: L, ab: [L::Wide; 2], [lo, hi]: [f32; 2]) -> u32 {
-        let twice = l.add_wide(self.det_error, self.det_error);
-        let least =
-            l.mul_add_wide(self.det, l.splat_wide(lo), l.mul_wide(twice, l.splat_wide(lo.abs())));
-        let most =
-            l.less_product(l.mul_wide(self.det, l.splat_wide(hi)), twice, l.splat_wide(hi.abs()));
-        let [near, far] = [
-            l.sub_wide(self.height, self.height_error),
-            l.add_wide(self.height, self.height_error),
-        ];
-        let room = l.min_wide(l.sub_wide(near, least), l.sub_wide(most, far));
-        let zero = l.splat_wide(0.0);
-        let size = l.sub_wide(self.det, twice);
-        l.misses([zero, zero], ab, [l.min_wide(room, size), zero])
-    }
-
-    /// One bit for each that is out of range.
-    #[inline(always)]
-    fn out(&self, l: L, range: [L::Wide; 2]) -> u32 {
-        self.out_or(l, [self.det, self.det], range)
-    }
-}
-
-/// Corners of triangles, sheared, all coordinates negated.
-#[inline(always)]
-fn shear<L: Lanes>(
-    l: L,
-    org: [L::Wide; 3],
-    slope: [L::Wide; 2],
-    [x, y, z]: [L::Wide; 3],
-) -> Corner<L> {
-    let z = l.sub_wide(org[2], z);
-    let x = l.less_product(l.sub_wide(org[0], x), slope[0], z);
-    let y = l.less_product(l.sub_wide(org[1], y), slope[1], z);
-    Corner { x, y, z, size: l.add_wide(l.abs_wide(x), l.abs_wide(y)) }
-}
-
-/// A corner of several triangles; `size` is |x| + |y|.
-struct Corner<L: Lanes> {
-    x: L::Wide,
-    y: L::Wide,
-    z: L::Wide,
-    size: L::Wide,
 }

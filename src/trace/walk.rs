@@ -248,7 +248,18 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             if self.counters.spent() {
                 return Met::Enough;
             }
-            let mut left = self.sieve.pass(self.lanes, few);
+            let mut left;
+            if Q::ANY && !C::COUNTS && few.len() > 1 {
+                let (sections, sieved) = (self.sections, self.sieve.few(self.lanes, few));
+                left = sieved.0;
+                let triangle = |i: usize| sections.triangle(few[i]);
+                if self.sieve.hits(self.lanes, self.ray, &sieved.1, left, triangle) {
+                    self.query.take_any();
+                    return Met::Enough;
+                }
+            } else {
+                left = self.sieve.pass(self.lanes, few);
+            }
             while left != 0 {
                 let number = few[left.trailing_zeros() as usize];
                 left &= left - 1;

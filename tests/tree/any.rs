@@ -1,42 +1,51 @@
 //! Any hit, where the sieve alone can tell and where it must not: at the ends of the range, at edges,
-//! of triangles that the ray does not see.
+//! of triangles that the ray does not see. With the tree and without, one by one and in streams.
 
 use super::{built, trees};
 use crate::common::{adversarial_rays, build, ray};
-use hug::{Ray, View};
+use hug::{Options, Quality, Ray, View};
 use hug_kit::{Mesh, soups};
 
-/// What the definition says, for rays that begin or end at the closest hit or next to it.
+/// What the definition says, for rays that begin or end at the closest hit or next to it; how many
+/// of these hit something.
 fn check(view: &View<'_>, one: &Ray, name: &str) -> usize {
     let hit = view.intersect_brute(one);
     let ends = [hit.t.next_down(), hit.t, hit.t.next_up(), f32::MAX, f32::INFINITY];
     let starts = [-f32::INFINITY, f32::MIN, hit.t.next_down(), hit.t, hit.t.next_up()];
-    let mut found = 0;
+    let mut rays = Vec::new();
     for tmin in starts.into_iter().chain([one.tmin]) {
         for tmax in ends.into_iter().chain([one.tmax]) {
             let within = Ray { tmin, tmax, ..*one };
             let beside = Ray { skip_geom: hit.geom, skip_prim: hit.prim, ..within };
             let masked = Ray { mask: 2, ..within };
             let culled = [Ray::CULL_BACK, Ray::CULL_FRONT].map(|flags| Ray { flags, ..within });
-            for ray in [within, beside, masked, culled[0], culled[1]] {
-                let expected = view.intersect_brute(&ray).is_hit();
-                assert_eq!(view.occluded(&ray), expected, "{name}: {ray:?}");
-                found += usize::from(expected);
-            }
+            rays.extend([within, beside, masked, culled[0], culled[1]]);
         }
+    }
+    let mut stream = vec![false; rays.len()];
+    view.occluded_n(&rays, &mut stream);
+    let mut found = 0;
+    for (ray, in_stream) in rays.iter().zip(stream) {
+        let expected = view.intersect_brute(ray).is_hit();
+        assert_eq!(view.occluded(ray), expected, "{name}: {ray:?}");
+        assert_eq!(in_stream, expected, "{name}, in a stream: {ray:?}");
+        found += usize::from(expected);
     }
     found
 }
 
 #[test]
 fn any_hit_at_the_ends_of_the_range() {
+    let fast = Options { quality: Quality::Fast, ..Options::default() };
     for (name, mesh, options) in built() {
-        let scene = build(&mesh, &options);
-        let found: usize = adversarial_rays(&mesh, 11, 15)
-            .iter()
-            .map(|(_, one)| check(&scene.view(), &ray(one), name))
-            .sum();
-        assert!(found > 500, "{name}: {found}");
+        for options in [options, fast] {
+            let scene = build(&mesh, &options);
+            let found: usize = adversarial_rays(&mesh, 11, 12)
+                .iter()
+                .map(|(_, one)| check(&scene.view(), &ray(one), name))
+                .sum();
+            assert!(found > 500, "{name}: {found}");
+        }
     }
 }
 
@@ -53,6 +62,22 @@ fn any_hit_at_any_scale() {
             let scene = build(&mesh, &options);
             for (_, one) in adversarial_rays(&mesh, 12, 6) {
                 check(&scene.view(), &ray(&one), "scale");
+            }
+        }
+    }
+}
+
+/// Directions so short that what is met has no t.
+#[test]
+fn what_is_met_too_late_is_no_hit() {
+    let mesh = soups::tangle(4, 100);
+    for options in trees() {
+        let scene = build(&mesh, &options);
+        for (_, one) in adversarial_rays(&mesh, 13, 10) {
+            for speed in [1e-37, 1e-38, 1e-39, 1e-40] {
+                let one = ray(&one);
+                let slow = Ray { dir: one.dir.map(|d| d * speed), ..one };
+                check(&scene.view(), &slow, "slow");
             }
         }
     }

@@ -162,7 +162,16 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
                 }
             };
             for few in triangles.chunks(L::WIDE) {
-                let mut left = self.sieves[slot].pass(self.lanes, few);
+                let (sections, sieve) = (self.sections, &self.sieves[slot]);
+                let (mut left, sieved) = sieve.few(self.lanes, few);
+                let triangle = |i: usize| sections.triangle(few[i]);
+                if sieve.hits(self.lanes, &flight.ray, &sieved, left, triangle) {
+                    if list == Hiding::Recent {
+                        self.recent.stopped();
+                    }
+                    flight.query.take_any();
+                    return true;
+                }
                 while left != 0 {
                     let number = few[left.trailing_zeros() as usize];
                     left &= left - 1;
