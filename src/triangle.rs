@@ -14,6 +14,7 @@
 //! of operations, on fused multiply-add, or on the instruction set.
 
 mod estimate;
+mod four;
 mod judge;
 
 use crate::arena::layout::Triangle;

@@ -131,6 +131,10 @@ impl Lanes for Neon {
         };
         fn any_beyond(self, a: F64, b: f64) -> bool =
             any3(vcagtq_f64(a.0, vdupq_n_f64(b)), vcagtq_f64(a.1, vdupq_n_f64(b)));
+        fn above_f64(self, a: F64, b: F64) -> u32 = {
+            let (low, high) = (vcgtq_f64(a.0, b.0), vcgtq_f64(a.1, b.1));
+            bits(vcombine_u32(vmovn_u64(low), vmovn_u64(high)), 15)
+        };
         fn mul_add_f64(self, a: F64, b: F64, c: F64) -> F64 = halves!(vfmaq_f64, c, a, b);
         fn cross_f64(self, a: F64, b: F64, c: F64, d: F64) -> F64 = {
             let first = halves!(vmulq_f64, a, b);
@@ -189,6 +193,7 @@ impl Lanes for Neon {
             bits(vcaltq_f32(a, vdupq_n_f32(b)), 7) == 7;
         fn all_finite(self, a: F32) -> bool =
             vminvq_u32(vcltq_f32(vabsq_f32(a), vdupq_n_f32(f32::INFINITY))) != 0;
+        fn same(self, a: F32, b: F32) -> u32 = bits(vceqq_f32(a, b), 15);
         fn equals(self, a: F32, b: F32) -> u32 = bits(vceqq_f32(a, b), 7);
 
         fn load_i32(self, a: &[i32; 4]) -> I32 = vld1q_s32(a.as_ptr());

@@ -70,6 +70,8 @@ pub(crate) trait Lanes: Copy + 'static {
     fn with_first(self, a: Self::F64, b: Self::F64) -> Self::F64;
     /// `a` with the first lane of `b` as its last.
     fn with_last(self, a: Self::F64, b: Self::F64) -> Self::F64;
+    /// One bit for each lane in which `a > b`.
+    fn above_f64(self, a: Self::F64, b: Self::F64) -> u32;
     fn array_f64(self, a: Self::F64) -> [f64; 4];
     /// The greatest of the first three lanes.
     fn highest3(self, a: Self::F64) -> f64;
@@ -114,6 +116,8 @@ pub(crate) trait Lanes: Copy + 'static {
     fn all_below(self, a: Self::F32, b: f32) -> bool;
     /// Whether no lane is infinite or NaN.
     fn all_finite(self, a: Self::F32) -> bool;
+    /// One bit for each lane in which `a == b`.
+    fn same(self, a: Self::F32, b: Self::F32) -> u32;
     /// One bit for each of the first three lanes in which `a == b`.
     fn equals(self, a: Self::F32, b: Self::F32) -> u32;
 

@@ -68,6 +68,8 @@ impl Lanes for Portable {
         fn mirror_f64(self, a: [f64; 4], b: [f64; 4], sign: [f64; 4]) -> [f64; 4] =
             core::array::from_fn(|k| if sign[k].is_sign_negative() { b[k] - a[k] } else { a[k] });
         fn any_beyond(self, a: [f64; 4], b: f64) -> bool = (0..3).any(|k| a[k].abs() > b);
+        fn above_f64(self, a: [f64; 4], b: [f64; 4]) -> u32 =
+            (0..4).map(|k| u32::from(a[k] > b[k]) << k).sum();
         fn any_outside(self, a: [f64; 4], n: [f64; 4]) -> bool =
             (0..3).any(|k| a[k] < 0.0 || a[k] > n[k]);
         fn mul_add_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] =
@@ -101,6 +103,8 @@ impl Lanes for Portable {
         fn signs(self, a: [f32; 4]) -> u32 = (0..3).map(|k| a[k].to_bits() >> 31 << k).sum();
         fn all_below(self, a: [f32; 4], b: f32) -> bool = (0..3).all(|k| a[k].abs() < b);
         fn all_finite(self, a: [f32; 4]) -> bool = a.iter().all(|x| x.is_finite());
+        fn same(self, a: [f32; 4], b: [f32; 4]) -> u32 =
+            (0..4).map(|k| u32::from(a[k] == b[k]) << k).sum();
         fn equals(self, a: [f32; 4], b: [f32; 4]) -> u32 =
             (0..3).map(|k| u32::from(a[k] == b[k]) << k).sum();
         fn load_i32(self, a: &[i32; 4]) -> [i32; 4] = *a;

@@ -15,7 +15,7 @@ use crate::arena::layout::Triangle;
 use crate::arena::{Sections, View};
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
-use crate::triangle::{Apex, Line};
+use crate::triangle::{Apex, Line, Met};
 
 /// What [`View::intersect_all`] found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -112,6 +112,11 @@ impl Query for Collect<'_> {
         _: u32,
     ) -> Option<bool> {
         self.take(line, triangle).then_some(false)
+    }
+
+    /// No packet collects.
+    fn take_met(&mut self, _: Met, _: &Triangle, _: u32) -> bool {
+        false
     }
 
     fn found(&self, _: &Sections<'_>, _: &Ray) -> Found {

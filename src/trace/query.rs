@@ -39,6 +39,8 @@ pub(crate) trait Query: Copy {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool>;
+    /// Takes a hit of a triangle at `t <= limit`; `true` ends the walk.
+    fn take_met(&mut self, met: Met, triangle: &Triangle, number: u32) -> bool;
     /// Takes some hit, if that is all that is wanted.
     fn take_any(&mut self) -> bool {
         Self::ANY
@@ -62,12 +64,6 @@ impl Closest {
     #[inline(always)]
     fn prefers(&self, met: &Met, triangle: &Triangle) -> bool {
         met.t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim)
-    }
-
-    #[inline(always)]
-    fn take(&mut self, met: Met, triangle: &Triangle, number: u32) {
-        let (Met { t, weights }, Triangle { geom, prim, .. }) = (met, *triangle);
-        *self = Self { limit: t, geom, prim, number, weights };
     }
 }
 
@@ -98,10 +94,7 @@ impl Query for Closest {
         number: u32,
     ) -> Option<bool> {
         let met = line.meet(apex, triangle, self.limit)?;
-        if self.prefers(&met, triangle) {
-            self.take(met, triangle, number);
-        }
-        Some(false)
+        Some(self.take_met(met, triangle, number))
     }
 
     #[inline(always)]
@@ -113,10 +106,16 @@ impl Query for Closest {
         number: u32,
     ) -> Option<bool> {
         let met = line.meet_in(l, triangle, self.limit)?;
+        Some(self.take_met(met, triangle, number))
+    }
+
+    #[inline(always)]
+    fn take_met(&mut self, met: Met, triangle: &Triangle, number: u32) -> bool {
         if self.prefers(&met, triangle) {
-            self.take(met, triangle, number);
+            let (Met { t, weights }, Triangle { geom, prim, .. }) = (met, *triangle);
+            *self = Self { limit: t, geom, prim, number, weights };
         }
-        Some(false)
+        false
     }
 
     #[inline(always)]
@@ -172,6 +171,11 @@ impl Query for Any {
     ) -> Option<bool> {
         self.found = line.pierces_in(l, triangle, self.tmax);
         self.found.then_some(true)
+    }
+
+    #[inline(always)]
+    fn take_met(&mut self, _: Met, _: &Triangle, _: u32) -> bool {
+        self.take_any()
     }
 
     #[inline(always)]

@@ -37,14 +37,14 @@ pub struct Estimate {
 /// A triangle as seen from the origin of rays: what does not depend on their directions.
 pub struct Apex {
     /// The products of the way to the first corner with the edges.
-    sides: [Pair; 3],
-    normal: Vector,
-    height: f64,
+    pub(super) sides: [Pair; 3],
+    pub(super) normal: Vector,
+    pub(super) height: f64,
     /// Bounds of errors: of the height; and of the weights and the determinant, for a
     /// direction whose components sum up to 1.
-    height_error: f64,
-    errors: Pair,
-    det_error: f64,
+    pub(super) height_error: f64,
+    pub(super) errors: Pair,
+    pub(super) det_error: f64,
 }
 
 /// On which side of its three edges a line passes a triangle.

@@ -82,6 +82,10 @@ macro_rules! four_lanes {
             })
         }
         #[inline(always)]
+        fn above_f64(self, a: __m256d, b: __m256d) -> u32 {
+            with!(_mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(a, b))) as u32
+        }
+        #[inline(always)]
         fn any_outside(self, a: __m256d, n: __m256d) -> bool {
             with!({
                 let below = _mm256_cmp_pd::<_CMP_LT_OQ>(a, _mm256_setzero_pd());
@@ -242,6 +246,10 @@ macro_rules! four_lanes {
                 let finite = _mm_cmplt_ps(size, _mm_set1_ps(f32::INFINITY));
                 _mm_movemask_ps(finite) == 15
             })
+        }
+        #[inline(always)]
+        fn same(self, a: __m128, b: __m128) -> u32 {
+            with!(_mm_movemask_ps(_mm_cmpeq_ps(a, b))) as u32
         }
         #[inline(always)]
         fn equals(self, a: __m128, b: __m128) -> u32 {

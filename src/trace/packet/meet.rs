@@ -16,8 +16,8 @@ use super::lines::Lines;
 use super::{Packet, Part, RAYS, distance, eight};
 use crate::arena::layout::Triangle;
 use crate::simd::{Kernel, Lanes};
-use crate::trace::query::{Query, visible};
-use crate::triangle::{Apex, Line};
+use crate::trace::query::{Query, decide, visible};
+use crate::triangle::{Apex, Line, Met};
 
 /// Bounds of the error of a product, over M m and as it is.
 const ERROR: f32 = 128.0 / (1u32 << 24) as f32;
@@ -120,11 +120,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
                 let triangle = self.sections.triangle(number);
                 let apex = Line::new(&self.tables.rays[0]).apex(triangle);
                 while rays != 0 {
-                    let ray = rays.trailing_zeros() as usize % RAYS;
-                    rays &= rays - 1;
-                    if few.nearest[i] <= self.ends[ray] {
-                        self.decide(ray, &apex, triangle, number);
-                    }
+                    rays = self.decide_some(rays, &apex, triangle, number);
                 }
             }
             at += L::WIDE;
@@ -218,6 +214,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         let plane = each!(k => l.splat_wide(few.plane[k][i]));
         let plane_error = l.splat_wide(few.plane_errors[i]);
         let height = l.splat_wide(few.heights[i]);
+        let nearest = l.splat_wide(few.nearest[i]);
         let mut rays = 0u64;
         let mut ray = part.first - part.first % L::WIDE;
         while ray < part.end() {
@@ -230,7 +227,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             let slope = l.mul_add_wide(x, plane[0], l.mul_add_wide(y, plane[1], plane[2]));
             let slope = l.add_wide(l.abs_wide(slope), plane_error);
             let end = l.load_wide(eight(&self.ends, ray));
-            let ahead = l.at_most(height, l.mul_wide(end, slope));
+            let ahead = l.at_most(height, l.mul_wide(end, slope)) & l.at_most(nearest, end);
             let inside = l.at_most(minus, least) | l.at_most(most, error);
             rays |= u64::from(inside & ahead) << ray;
             ray += L::WIDE;
@@ -238,18 +235,62 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         rays
     }
 
-    /// The exact test.
+    /// The exact test of a triangle and a few of these rays; the others, a bit each.
     #[inline(always)]
-    fn decide(&mut self, ray: usize, apex: &Apex, triangle: &Triangle, number: u32) {
+    fn decide_some(&mut self, rays: u64, apex: &Apex, triangle: &Triangle, number: u32) -> u64 {
+        let l = self.lanes;
+        let mut left = rays;
+        if !L::REGISTERS {
+            self.decide(rays.trailing_zeros() as usize % RAYS, triangle, number);
+            return left & (left - 1);
+        }
+        let mut some = [rays.trailing_zeros() as usize % RAYS; 4];
+        let mut count = 0;
+        while count < 4 && left != 0 {
+            some[count] = left.trailing_zeros() as usize % RAYS;
+            left &= left - 1;
+            count += 1;
+        }
+        let rows = [0, 1, 2, 3].map(|i| self.tables.rays[some[i]].dir);
+        let dir =
+            each!(k => l.widen(l.load_f32(&[rows[0][k], rows[1][k], rows[2][k], rows[3][k]])));
+        let four = apex.four(l, dir);
+        for (i, &ray) in some[..count].iter().enumerate() {
+            let is = |bits: u32| bits >> i & 1 != 0;
+            if is(four.outside) {
+                continue;
+            }
+            let record = &self.tables.rays[ray];
+            if !is(four.inside) || record.flags != 0 {
+                self.decide(ray, triangle, number);
+                continue;
+            }
+            let (t, query) = (four.t[i], &mut self.queries[ray]);
+            let in_range = (t >= record.tmin) & (t <= query.limit()) & (t < f32::INFINITY);
+            if in_range && visible(record, triangle) {
+                let weights = is(four.weighed).then_some((four.u[i], four.v[i]));
+                let enough = query.take_met(Met { t, weights }, triangle, number);
+                self.met(ray, enough);
+            }
+        }
+        left
+    }
+
+    /// The exact test of one ray.
+    #[inline(always)]
+    fn decide(&mut self, ray: usize, triangle: &Triangle, number: u32) {
         let (record, query) = (&self.tables.rays[ray], &mut self.queries[ray]);
-        if !visible(record, triangle) {
-            return;
+        if let Some(enough) = decide(self.lanes, query, record, triangle, number) {
+            self.met(ray, enough);
         }
-        if let Some(enough) = query.meet_from(&Line::new(record), apex, triangle, number) {
-            let end = if enough { -1.0 } else { distance(query.limit(), self.speeds[ray]) };
-            self.ends[ray] = end;
-            self.nearer = true;
-        }
+    }
+
+    /// What follows from a hit.
+    #[inline(always)]
+    fn met(&mut self, ray: usize, enough: bool) {
+        let limit = self.queries[ray].limit();
+        self.ends[ray] = if enough { -1.0 } else { distance(limit, self.speeds[ray]) };
+        self.nearer = true;
     }
 }
 
