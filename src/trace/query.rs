@@ -47,6 +47,21 @@ pub(crate) trait Query: Copy {
     }
     /// What was found, once all has been met.
     fn found(&self, sections: &Sections<'_>, ray: &Ray) -> Self::Out;
+    /// The same, one after the other: what the last one needed may be needed again.
+    #[inline(always)]
+    fn found_next(&self, sections: &Sections<'_>, ray: &Ray, _: &mut Last) -> Self::Out {
+        self.found(sections, ray)
+    }
+}
+
+/// The triangle that was hit last, and its normal.
+pub(crate) struct Last {
+    number: u32,
+    normal: [f32; 3],
+}
+
+impl Last {
+    pub const NONE: Self = Self { number: NONE, normal: [0.0; 3] };
 }
 
 /// The hit of smallest `t`, ties by lowest geometry, then primitive.
@@ -120,12 +135,21 @@ impl Query for Closest {
 
     #[inline(always)]
     fn found(&self, sections: &Sections<'_>, ray: &Ray) -> Hit {
+        let mut none = Last::NONE;
+        self.found_next(sections, ray, &mut none)
+    }
+
+    #[inline(always)]
+    fn found_next(&self, sections: &Sections<'_>, ray: &Ray, last: &mut Last) -> Hit {
         if self.number == NONE {
             return Self::miss(ray);
         }
         let triangle = sections.triangle(self.number);
+        if self.number != last.number {
+            *last = Last { number: self.number, normal: normal(triangle) };
+        }
         let (u, v) = self.weights.unwrap_or_else(|| Line::new(ray).weights(triangle));
-        Hit::in_rows([self.limit, u, v], normal(triangle), [self.geom, self.prim])
+        Hit::in_rows([self.limit, u, v], last.normal, [self.geom, self.prim])
     }
 }
 

@@ -8,16 +8,18 @@ use super::estimate::Apex;
 use crate::simd::Lanes;
 
 /// What a triangle and four lines have to do with each other; a bit for each line.
-pub struct Four {
+pub struct Four<L: Lanes> {
     /// Those that pass the triangle for certain.
     pub outside: u32,
     /// Those that pierce it for certain, at a t whose rounding is certain.
     pub inside: u32,
     /// Those whose weights' rounding is certain too.
     pub weighed: u32,
-    pub t: [f32; 4],
-    pub u: [f32; 4],
-    pub v: [f32; 4],
+    /// Those that come from the side to which the triangle's normal points, if inside.
+    pub front: u32,
+    pub t: L::F32,
+    pub u: L::F32,
+    pub v: L::F32,
 }
 
 /// The quotients that are looked for: numerators, and bounds of their errors.
@@ -31,13 +33,13 @@ struct Quotient<L: Lanes> {
 impl<L: Lanes> Quotient<L> {
     /// The rounded quotients, and for which of them that is certain.
     #[inline(always)]
-    fn of(&self, l: L, num: L::F64, error: L::F64) -> ([f32; 4], u32) {
+    fn of(&self, l: L, num: L::F64, error: L::F64) -> (L::F32, u32) {
         let q = l.mul_f64(num, self.inverse);
         let error = l.mul_add_f64(l.abs_f64(q), self.det_error, error);
         let error = l.mul_f64(error, self.twice);
         let (low, high) = (l.narrow(l.sub_f64(q, error)), l.narrow(l.add_f64(q, error)));
         // Adding +0 turns -0 into +0 and changes nothing else.
-        (l.array_f32(l.add_f32(low, l.splat_f32(0.0))), l.same(low, high))
+        (l.add_f32(low, l.splat_f32(0.0)), l.same(low, high))
     }
 }
 
@@ -52,7 +54,7 @@ impl Apex {
     /// Four lines from the point that the triangle is seen from, given the components of their
     /// directions.
     #[inline(always)]
-    pub fn four<L: Lanes>(&self, l: L, dir: [L::F64; 3]) -> Four {
+    pub fn four<L: Lanes>(&self, l: L, dir: [L::F64; 3]) -> Four<L> {
         let [x, y, z] = &self.sides;
         let zero = l.splat_f64(0.0);
         let u = dot(l, &dir, [x.second(), y.second(), z.second()]);
@@ -76,6 +78,8 @@ impl Apex {
         let (u, u_known) = quotient.of(l, u, l.mul_f64(size, l.splat_f64(u_error)));
         let (v, v_known) = quotient.of(l, v, l.mul_f64(size, l.splat_f64(v_error)));
         let known = l.above_f64(size_of_det, l.mul_f64(det_error, l.splat_f64(2.5)));
-        Four { outside, inside: inside & t_known, weighed: u_known & v_known & known, t, u, v }
+        let front = l.above_f64(det, zero);
+        let (inside, weighed) = (inside & t_known, u_known & v_known & known);
+        Four { outside, inside, weighed, front, t, u, v }
     }
 }

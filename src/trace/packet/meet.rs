@@ -15,6 +15,7 @@ use super::bounds::Bounds;
 use super::lines::Lines;
 use super::{Packet, Part, RAYS, distance, eight};
 use crate::arena::layout::Triangle;
+use crate::ray::Ray;
 use crate::simd::{Kernel, Lanes};
 use crate::trace::query::{Query, decide, visible};
 use crate::triangle::{Apex, Line, Met};
@@ -118,6 +119,9 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
                 }
                 let number = self.tables.due.numbers[at + i];
                 let triangle = self.sections.triangle(number);
+                if self.plain && !visible(&self.tables.rays[0], triangle) {
+                    continue;
+                }
                 let apex = Line::new(&self.tables.rays[0]).apex(triangle);
                 while rays != 0 {
                     rays = self.decide_some(rays, &apex, triangle, number);
@@ -238,51 +242,64 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
     /// The exact test of a triangle and a few of these rays; the others, a bit each.
     #[inline(always)]
     fn decide_some(&mut self, rays: u64, apex: &Apex, triangle: &Triangle, number: u32) -> u64 {
-        let l = self.lanes;
-        let mut left = rays;
-        if !L::REGISTERS {
-            self.decide(rays.trailing_zeros() as usize % RAYS, triangle, number);
-            return left & (left - 1);
-        }
         let mut some = [rays.trailing_zeros() as usize % RAYS; 4];
-        let mut count = 0;
-        while count < 4 && left != 0 {
-            some[count] = left.trailing_zeros() as usize % RAYS;
-            left &= left - 1;
-            count += 1;
+        let mut left = rays & (rays - 1);
+        let mut unsure = 1;
+        if L::REGISTERS && self.plain {
+            let mut count = 1;
+            while count < 4 && left != 0 {
+                some[count] = left.trailing_zeros() as usize % RAYS;
+                left &= left - 1;
+                count += 1;
+            }
+            unsure = self.decide_four(&some, apex, triangle, number) & ((1 << count) - 1);
         }
-        let rows = [0, 1, 2, 3].map(|i| self.tables.rays[some[i]].dir);
-        let dir =
-            each!(k => l.widen(l.load_f32(&[rows[0][k], rows[1][k], rows[2][k], rows[3][k]])));
-        let four = apex.four(l, dir);
-        for (i, &ray) in some[..count].iter().enumerate() {
-            let is = |bits: u32| bits >> i & 1 != 0;
-            if is(four.outside) {
-                continue;
-            }
-            let record = &self.tables.rays[ray];
-            if !is(four.inside) || record.flags != 0 {
-                self.decide(ray, triangle, number);
-                continue;
-            }
-            let (t, query) = (four.t[i], &mut self.queries[ray]);
-            let in_range = (t >= record.tmin) & (t <= query.limit()) & (t < f32::INFINITY);
-            if in_range && visible(record, triangle) {
-                let weights = is(four.weighed).then_some((four.u[i], four.v[i]));
-                let enough = query.take_met(Met { t, weights }, triangle, number);
+        while unsure != 0 {
+            let ray = some[unsure.trailing_zeros() as usize % 4];
+            unsure &= unsure - 1;
+            let (record, query) = (&self.tables.rays[ray], &mut self.queries[ray]);
+            if let Some(enough) = decide(self.lanes, query, record, triangle, number) {
                 self.met(ray, enough);
             }
         }
         left
     }
 
-    /// The exact test of one ray.
+    /// The exact test of a triangle that they see and four rays, any of them more than once; a bit
+    /// for each that is not certain.
     #[inline(always)]
-    fn decide(&mut self, ray: usize, triangle: &Triangle, number: u32) {
-        let (record, query) = (&self.tables.rays[ray], &mut self.queries[ray]);
-        if let Some(enough) = decide(self.lanes, query, record, triangle, number) {
-            self.met(ray, enough);
+    fn decide_four(
+        &mut self,
+        some: &[usize; 4],
+        apex: &Apex,
+        triangle: &Triangle,
+        number: u32,
+    ) -> u32 {
+        let l = self.lanes;
+        let rows = some.map(|ray| self.tables.rays[ray % RAYS].dir);
+        let dir =
+            each!(k => l.widen(l.load_f32(&[rows[0][k], rows[1][k], rows[2][k], rows[3][k]])));
+        let four = apex.four(l, dir);
+        let Ray { tmin, flags, .. } = self.tables.rays[0];
+        let t = l.widen(four.t);
+        let early = l.above_f64(l.splat_f64(f64::from(tmin)), t);
+        let finite = l.above_f64(l.splat_f64(f64::INFINITY), t);
+        let culled = if flags & Ray::CULL_FRONT != 0 { four.front } else { 0 }
+            | if flags & Ray::CULL_BACK != 0 { !four.front } else { 0 };
+        let mut hits = four.inside & finite & !early & !culled;
+        let (t, u, v) = (l.array_f32(four.t), l.array_f32(four.u), l.array_f32(four.v));
+        while hits != 0 {
+            let i = hits.trailing_zeros() as usize % 4;
+            hits &= hits - 1;
+            let (ray, t) = (some[i] % RAYS, t[i]);
+            let query = &mut self.queries[ray];
+            if t <= query.limit() {
+                let weights = (four.weighed >> i & 1 != 0).then_some((u[i], v[i]));
+                let enough = query.take_met(Met { t, weights }, triangle, number);
+                self.met(ray, enough);
+            }
         }
+        !four.inside & !four.outside
     }
 
     /// What follows from a hit.

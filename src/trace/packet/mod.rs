@@ -27,7 +27,7 @@ mod walk;
 
 use super::query::Query;
 use crate::arena::{Sections, View};
-use crate::ray::Ray;
+use crate::ray::{NONE, Ray};
 use crate::simd::Lanes;
 use meet::Due;
 pub(super) use together::{Together, suits};
@@ -138,6 +138,8 @@ pub(super) struct Packet<'a, 't, Q, L> {
     /// The change of the distance with t, and the distance at which a ray ends.
     speeds: [f32; ROOM],
     ends: [f32; ROOM],
+    /// Rays begin at one t, see the same triangles, and leave none out.
+    plain: bool,
     /// Rays may end sooner than was known.
     nearer: bool,
     /// What has been done, in some 25 instructions.
@@ -179,7 +181,11 @@ impl<'a, 't, Q: Query, L: Lanes> Packet<'a, 't, Q, L> {
         let axes = [(z + 1) % 3, (z + 2) % 3, z];
         let down = dir[z] < 0.0;
         let mut alike = org.iter().all(|x| x.is_finite());
+        let Ray { tmin, mask, flags, .. } = rays[0];
+        let mut plain = true;
         for ray in rays {
+            plain &= (ray.tmin == tmin) & (ray.mask == mask) & (ray.flags == flags);
+            plain &= (ray.skip_geom == NONE) & (ray.skip_prim == NONE);
             alike &= (ray.org == org) & (ray.tmin >= 0.0) & (ray.tmin <= ray.tmax);
             alike &= ray.tmin < f32::INFINITY;
         }
@@ -234,6 +240,7 @@ impl<'a, 't, Q: Query, L: Lanes> Packet<'a, 't, Q, L> {
             slopes,
             speeds,
             ends,
+            plain,
             nearer: false,
             work: 0,
             lost: false,

@@ -4,7 +4,7 @@ use super::{ENOUGH, Packet, RAYS, Tables};
 use crate::arena::View;
 use crate::options::Structure;
 use crate::simd::{Kernel, Lanes};
-use crate::trace::query::Query;
+use crate::trace::query::{Last, Query};
 use crate::trace::stream::Port;
 
 /// Takes rays from `next` on as packets, as long as they are packets and that is worth it.
@@ -45,8 +45,9 @@ impl<Q: Query, L: Lanes> Kernel<L> for Together<'_, '_, Q> {
             if packet.lost {
                 break;
             }
+            let mut last = Last::NONE;
             for (i, (query, ray)) in packet.queries.iter().zip(&packet.tables.rays).enumerate() {
-                port.put(next + i, query.found(&packet.sections, ray));
+                port.put(next + i, query.found_next(&packet.sections, ray, &mut last));
             }
             next += RAYS;
             if packet.work > ENOUGH {
