@@ -76,7 +76,8 @@ fn packet(mesh: &Mesh, bounds: &Bounds, random: &mut Random) -> Vec<Ray> {
 
 /// Ends rays at what they hit, or just before, and gives them masks and flags.
 fn vary(view: &View, rays: &mut [Ray], random: &mut Random) {
-    let kind = random.below(5);
+    let kind = random.below(8);
+    let (flags, start) = (1 + random.below(3) as u32, view.intersect(&rays[0]).t);
     for ray in rays {
         let hit = view.intersect(ray);
         match kind {
@@ -89,6 +90,12 @@ fn vary(view: &View, rays: &mut [Ray], random: &mut Random) {
             1 => ray.flags = random.below(4) as u32,
             2 => ray.mask = if random.chance(0.5) { 0 } else { 1 },
             3 => *ray = ray.with_range(hit.t.abs().min(1e30) * 0.5, hit.t.abs().min(1e30) * 1.5),
+            // In these, all are alike but for where they end.
+            4 => ray.flags = flags,
+            5 if start.is_finite() => ray.tmin = start.max(0.0),
+            6 if hit.is_hit() => {
+                ray.tmax = [hit.t, hit.t.next_down(), hit.t.next_up()][random.below(3)];
+            }
             _ => {}
         }
     }

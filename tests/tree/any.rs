@@ -40,11 +40,11 @@ fn any_hit_at_the_ends_of_the_range() {
     for (name, mesh, options) in built() {
         for options in [options, fast] {
             let scene = build(&mesh, &options);
-            let found: usize = adversarial_rays(&mesh, 11, 12)
+            let found: usize = adversarial_rays(&mesh, 11, 6)
                 .iter()
                 .map(|(_, one)| check(&scene.view(), &ray(one), name))
                 .sum();
-            assert!(found > 500, "{name}: {found}");
+            assert!(found > 200, "{name}: {found}");
         }
     }
 }
@@ -60,7 +60,7 @@ fn any_hit_at_any_scale() {
         }
         for options in trees() {
             let scene = build(&mesh, &options);
-            for (_, one) in adversarial_rays(&mesh, 12, 6) {
+            for (_, one) in adversarial_rays(&mesh, 12, 3) {
                 check(&scene.view(), &ray(&one), "scale");
             }
         }
@@ -73,7 +73,7 @@ fn what_is_met_too_late_is_no_hit() {
     let mesh = soups::tangle(4, 100);
     for options in trees() {
         let scene = build(&mesh, &options);
-        for (_, one) in adversarial_rays(&mesh, 13, 10) {
+        for (_, one) in adversarial_rays(&mesh, 13, 5) {
             for speed in [1e-37, 1e-38, 1e-39, 1e-40] {
                 let one = ray(&one);
                 let slow = Ray { dir: one.dir.map(|d| d * speed), ..one };

@@ -6,8 +6,8 @@
 //! or as many slabs at once as it stays in one exit box (`walk`). What is in reach of it
 //! is found once for all rays, by boxes (`look`); triangles are then known by the planes
 //! through the point and their edges: to sieve a triangle for a ray is to ask on which
-//! side of three planes the ray lies (`meet`). What is left is decided as ever, one ray
-//! and one triangle at a time, so answers are those of single rays, bit for bit.
+//! side of three planes the ray lies (`meet`). What is left is decided exactly, four rays and a
+//! triangle at a time, so answers are those of single rays, bit for bit.
 //!
 //! Where voxels are small beside the pyramid it is halved, down to single rays. Where that
 //! happens often rays had better go as others do, so work is counted, and after a packet that
