@@ -29,7 +29,8 @@
 //!
 //! A hit is certain if the ray passes all edges on one side by more than E, and the place is in
 //! range by more than these bounds doubled, which leaves room for the roundings of the comparisons:
-//! `height + 2 Z B < end det - 2 B |end|`, with `end` as far inside as it else is outside.
+//! `height + 2 Z B < end det - 2 B |end|`, and the other end likewise. Ends are then moved inward by
+//! four times as much as they had been moved outward.
 //!
 //! Where lanes are arrays, only the corners' own z are held against the range: they are off by a
 //! rounding each, for which its ends have room.
@@ -204,8 +205,8 @@ impl<'a> Sieve<'a> {
         }
     }
 
-    /// Whether the ray, which this is the sieve of, hits for certain one of those of these triangles
-    /// that passed, a bit each; the range is as it was then.
+    /// Whether the ray certainly hits one of these triangles: of those that `passed` has a bit for. It
+    /// is the ray that this sieve is of, and [`Sieve::limit`] has not been called since.
     #[inline(always)]
     pub fn hits<L: Lanes>(
         &self,
@@ -222,8 +223,9 @@ impl<'a> Sieve<'a> {
         if passed == 0 || ray.flags != 0 || !known {
             return false;
         }
-        // What is sieved at all is nearer than that, and has a t if it is no farther than the
-        // largest; products of infinities would be NaN.
+        // All that a sieve that holds meets is nearer than ten times `FARTHEST`, so a range that
+        // ends behind that may as well end there, and products stay below infinity. Nor may it
+        // end behind the largest t there is.
         let most = (self.pace * f32::MAX).min(10.0 * FARTHEST);
         let inside = |end: f32| {
             let end = if end < most { end } else { most };

@@ -1,7 +1,7 @@
 //! A triangle and four lines from one point in lanes: what [`super::estimate`] finds of one.
 //!
-//! The operations are the same, one after the other, but for fused ones, which leave roundings
-//! out: so are the bounds of errors.
+//! Sums are of as many terms, in another order, and fused operations leave roundings out: the
+//! bounds of errors, which depend on neither, are the same.
 
 use super::Vector;
 use super::estimate::Apex;
@@ -22,7 +22,7 @@ pub struct Four<L: Lanes> {
     pub v: L::F32,
 }
 
-/// The quotients that are looked for: numerators, and bounds of their errors.
+/// What quotients by the determinant have in common.
 struct Quotient<L: Lanes> {
     inverse: L::F64,
     /// Twice the size of that.

@@ -34,11 +34,15 @@ fn check(view: &View<'_>, one: &Ray, name: &str) -> usize {
     found
 }
 
+/// No tree.
+fn fast() -> Options {
+    Options { quality: Quality::Fast, ..Options::default() }
+}
+
 #[test]
 fn any_hit_at_the_ends_of_the_range() {
-    let fast = Options { quality: Quality::Fast, ..Options::default() };
     for (name, mesh, options) in built() {
-        for options in [options, fast] {
+        for options in [options, fast()] {
             let scene = build(&mesh, &options);
             let found: usize = adversarial_rays(&mesh, 11, 6)
                 .iter()
@@ -58,11 +62,12 @@ fn any_hit_at_any_scale() {
         for i in 0..200 {
             mesh.push(from.triangle(i).map(|v| v.map(|x| x * scale + shift)));
         }
-        for options in trees() {
+        for options in trees().into_iter().chain([fast()]) {
             let scene = build(&mesh, &options);
-            for (_, one) in adversarial_rays(&mesh, 12, 3) {
-                check(&scene.view(), &ray(&one), "scale");
-            }
+            let rays = adversarial_rays(&mesh, 12, 3);
+            let found: usize =
+                rays.iter().map(|(_, one)| check(&scene.view(), &ray(one), "scale")).sum();
+            assert!(found > 50, "{scale}: {found}");
         }
     }
 }
@@ -73,12 +78,14 @@ fn what_is_met_too_late_is_no_hit() {
     let mesh = soups::tangle(4, 100);
     for options in trees() {
         let scene = build(&mesh, &options);
+        let mut found = 0;
         for (_, one) in adversarial_rays(&mesh, 13, 5) {
             for speed in [1e-37, 1e-38, 1e-39, 1e-40] {
                 let one = ray(&one);
                 let slow = Ray { dir: one.dir.map(|d| d * speed), ..one };
-                check(&scene.view(), &slow, "slow");
+                found += check(&scene.view(), &slow, "slow");
             }
         }
+        assert!(found > 50, "{found}");
     }
 }

@@ -239,7 +239,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
         rays
     }
 
-    /// The exact test of a triangle and a few of these rays; the others, a bit each.
+    /// The exact test of a triangle and the first few of these rays, a bit each; returns the rest.
     #[inline(always)]
     fn decide_some(&mut self, rays: u64, apex: &Apex, triangle: &Triangle, number: u32) -> u64 {
         let mut some = [rays.trailing_zeros() as usize % RAYS; 4];
@@ -258,7 +258,14 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             let ray = some[unsure.trailing_zeros() as usize % 4];
             unsure &= unsure - 1;
             let (record, query) = (&self.tables.rays[ray], &mut self.queries[ray]);
-            if let Some(enough) = decide(self.lanes, query, record, triangle, number) {
+            let met = if L::REGISTERS {
+                decide(self.lanes, query, record, triangle, number)
+            } else if visible(record, triangle) {
+                query.meet_from(&Line::new(record), apex, triangle, number)
+            } else {
+                None
+            };
+            if let Some(enough) = met {
                 self.met(ray, enough);
             }
         }

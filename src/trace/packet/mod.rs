@@ -138,7 +138,7 @@ pub(super) struct Packet<'a, 't, Q, L> {
     /// The change of the distance with t, and the distance at which a ray ends.
     speeds: [f32; ROOM],
     ends: [f32; ROOM],
-    /// Rays begin at one t, see the same triangles, and leave none out.
+    /// Rays begin at one t, have the same mask and flags, and skip no triangle.
     plain: bool,
     /// Rays may end sooner than was known.
     nearer: bool,
