@@ -262,3 +262,66 @@ impl<'a> Sieve<'a> {
         Sieved::new(l, rays, triangles).out ^ (u32::MAX >> (32 - L::WIDE))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arena::View;
+    use crate::simd::{AnyKernel, Isa, dispatch};
+    use crate::{Geometry, Options, Scene};
+    use std::vec::Vec;
+
+    /// Whether a ray certainly hits one of the first four triangles; `None` where none can tell.
+    struct Certain<'a>(&'a View<'a>, &'a Ray);
+
+    impl AnyKernel for Certain<'_> {
+        type Out = Option<bool>;
+        const BEST: Isa = Isa::Avx512;
+        #[inline(always)]
+        fn run_on<L: Lanes>(self, l: L) -> Option<bool> {
+            let Self(view, ray) = self;
+            let ([org, dir, _], sections) = (ray.rows(), view.sections());
+            let sieve = Sieve::new(l, &sections, ray, [l.load3(org), l.load3(dir)], true);
+            let (passed, sieved) = sieve.few(l, &[0, 1, 2, 3]);
+            let triangle = |i: usize| sections.triangle(i as u32);
+            L::REGISTERS.then(|| sieve.hits(l, ray, &sieved, passed, triangle))
+        }
+    }
+
+    /// What is well inside is certain, and nothing else is: not at an edge, at the ends of the
+    /// range, beside, or of triangles that the ray does not see.
+    #[test]
+    fn what_is_certain() {
+        let vertices: Vec<[f32; 3]> = (0..4)
+            .map(|i| i as f32)
+            .flat_map(|x| [[x, 0.0, 3.0], [x + 0.5, 0.0, 3.0], [x, 0.5, 3.0]])
+            .collect();
+        let indices = [[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11]];
+        let mesh = [Geometry::from_mesh(&vertices, &indices)];
+        let scene = Scene::build(&mesh, &Options::default());
+        let scene = scene.expect("the soup is valid");
+        let view = scene.view();
+        let ray = |x: f32, y: f32| Ray::new([x, y, 0.0], [0.0, 0.0, 1.0]);
+        let certain = |ray: &Ray| dispatch(Certain(&view, ray)).unwrap_or(view.occluded(ray));
+        for i in 0..4 {
+            let x = i as f32;
+            let inside = ray(x + 0.1, 0.1);
+            assert!(certain(&inside));
+            assert!(certain(&inside.with_range(2.999, 3.001)));
+            assert!(certain(&Ray { tmin: f32::NEG_INFINITY, tmax: f32::MAX, ..inside }));
+            assert!(!certain(&inside.with_range(0.0, 2.999)));
+            assert!(!certain(&inside.with_range(3.001, f32::INFINITY)));
+            assert!(!certain(&Ray { mask: 0, ..inside }));
+            assert!(!certain(&ray(x + 0.4, 0.4)));
+            // These do hit, but that is for the exact test to say.
+            for open in [
+                ray(x + 0.2, 0.0),
+                inside.with_range(0.0, 3.0),
+                inside.with_range(3.0, 4.0),
+                Ray { flags: Ray::CULL_BACK | Ray::CULL_FRONT, ..inside },
+            ] {
+                assert!(dispatch(Certain(&view, &open)) != Some(true), "{open:?}");
+            }
+        }
+    }
+}
