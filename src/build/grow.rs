@@ -55,17 +55,24 @@ impl Grower<'_> {
         if open == 0 {
             return Block { lo: at, hi: at.map(|x| x + 1) };
         }
-        self.grow(at, 0, LISTED_MAX, open, |mut columns, y, z| {
-            columns &= self.rows.at(self.masks.place(window, y, z));
-            while columns != 0 {
-                let x = columns.trailing_zeros() as usize + at[0] - window.bit;
-                if !self.adds_nothing((z * self.n[1] + y) * self.n[0] + x, list) {
-                    return false;
-                }
-                columns &= columns - 1;
-            }
-            true
+        self.grow(at, 0, LISTED_MAX, open, |columns, y, z| {
+            let columns = columns & self.rows.at(self.masks.place(window, y, z));
+            let first = (z * self.n[1] + y) * self.n[0] + at[0];
+            self.add_nothing(columns, first.wrapping_sub(window.bit), list)
         })
+    }
+
+    /// Whether the voxels of which there are bits, the first of number `first`, refer to nothing that
+    /// `list` does not. Apart, as it would be there for each face.
+    #[inline(never)]
+    fn add_nothing(&self, mut columns: u64, first: usize, list: &[u32]) -> bool {
+        while columns != 0 {
+            if !self.adds_nothing(first.wrapping_add(columns.trailing_zeros() as usize), list) {
+                return false;
+            }
+            columns &= columns - 1;
+        }
+        true
     }
 
     /// The faces of voxel `at` behind which there is a voxel that refers to nothing that
