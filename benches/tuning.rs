@@ -27,7 +27,7 @@ struct Args {
     #[arg(long, value_delimiter = ',', default_value = "files")]
     scene: Vec<String>,
     /// Alphas of the outermost grid, several with commas
-    #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.8, 1.26])]
+    #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.63, 0.8, 1.26])]
     world_alpha: Vec<f32>,
     /// Alphas of the grids below, several with commas
     #[arg(long, value_delimiter = ',', default_values_t = [0.4, 0.6, 0.7, 1.0])]

@@ -56,8 +56,8 @@
  * on their own. It has some 13 bytes a triangle and takes longer to build than a grid; rays that
  * take it are half as fast again, or twice as fast. Hits are the same. Of 2^28 triangles or
  * more, of fewer than 8, of those that are tiny beside the scene's extent, and of a HUG's, whose
- * triangles lie cluster by cluster, there is none. Splits are chosen with more care if quality is
- * HIGH. AUTO builds it with the qualities DEFAULT and HIGH, unless it is to be compact.
+ * triangles lie cluster by cluster, there is none. If quality is HIGH it is built with more
+ * care. AUTO builds it with the qualities DEFAULT and HIGH, unless it is to be compact.
  */
 #define HUG_BUILD_TREE 16
 

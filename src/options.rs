@@ -178,8 +178,8 @@ pub struct Options {
     /// their own. It has some 13 bytes a triangle and takes longer to build than a grid; rays
     /// that take it are half as fast again, or twice as fast. Hits are the same. Of 2^28
     /// triangles or more, of fewer than 8, of those that are tiny beside the scene's extent, and
-    /// of a HUG's, whose triangles lie cluster by cluster, there is none. Splits are chosen with
-    /// more care if `quality` is HIGH. AUTO builds it with the qualities DEFAULT and HIGH, unless
+    /// of a HUG's, whose triangles lie cluster by cluster, there is none. If `quality` is HIGH,
+    /// it is built with more care. AUTO builds it with the qualities DEFAULT and HIGH, unless
     /// it is to be compact.
     pub tree: bool,
     /// HUG: the filter of lengths.
@@ -304,7 +304,7 @@ impl Options {
         let (world_alpha, alpha, maxp) = match self.quality {
             _ if self.compact => (0.48, 0.4, 512),
             Quality::Fast => (0.5, 0.4, 512),
-            Quality::Default => (0.8, 0.6, 192),
+            Quality::Default => (0.63, 0.4, 512),
             Quality::High => (1.26, 0.7, 128),
         };
         let n = triangles.max(1) as f64;
@@ -333,6 +333,8 @@ impl Options {
             return most;
         }
         let room = cbrt(triangles as f64 / objects.max(1) as f64) as f32;
-        (most * room).clamp(most, TWO_LEVELS_ALPHA)
+        // Not by `clamp`, whose panic would bring the formatting of numbers, a sixtieth of the library.
+        let alpha = if most * room > most { most * room } else { most };
+        if alpha < TWO_LEVELS_ALPHA { alpha } else { TWO_LEVELS_ALPHA }
     }
 }

@@ -102,10 +102,11 @@ fn bound(n: usize, options: &Options) -> f64 {
         voxels += 2.0 * inner * n + refs;
     }
     if options.tree {
-        sum += n * (37.0 + n.log2());
-        if options.quality == Quality::High {
-            sum += n * (183.0 + n.log2()) + 400.0;
-        }
+        sum += if options.quality == Quality::High {
+            n * (187.0 + n.log2()) + 400.0
+        } else {
+            22.0 * n
+        };
     }
     // Voxels and lists written, and voxels read again.
     sum + 4.0 * voxels + 2.0 * refs
@@ -117,7 +118,7 @@ fn bound(n: usize, options: &Options) -> f64 {
 fn work_is_in_proportion_to_triangles() {
     for n in [2000, 20_000] {
         for (name, mesh) in adversarial(n) {
-            let filled = [(0.1, 1), (0.6, 192)].map(|(alpha, maxp)| {
+            let filled = [(0.1, 1), (0.4, 512)].map(|(alpha, maxp)| {
                 let structure = Structure::Recursive;
                 let fill_up = true;
                 ("filled", Options { structure, alpha, maxp, fill_up, ..Options::default() })

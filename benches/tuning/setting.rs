@@ -20,7 +20,7 @@ const WORLD_TIMES: f64 = (1u64 << 35) as f64;
 impl Setting {
     /// What AUTO takes at its default quality; that this makes the same bytes says whether
     /// what stands here is still what AUTO does.
-    pub const AUTO: Self = Self { world_alpha: 0.8, alpha: 0.6, maxp: 192 };
+    pub const AUTO: Self = Self { world_alpha: 0.63, alpha: 0.4, maxp: 512 };
 
     /// For a scene of so many triangles.
     pub fn options(&self, triangles: usize) -> Options {

@@ -3,7 +3,8 @@
 //! For n triangles, G grids, L links between them, V voxels and R references the scratch memory is
 //! about `64 n + 136 G + 12 L + 20 V + 8 R` bytes, for a hierarchy `41 n` more, and the arena
 //! `48 n + 64 G + 12 V + 8 R`; where grids may be turned, `144 G` and `128 G` more; with a tree
-//! of boxes `99 n` and `65 n` more, at HIGH another `68 n` of scratch memory.
+//! of boxes `113 n` and `65 n` more, or, should grids need less than the binary tree that was in
+//! their memory before, `171 n` in all besides what triangles take.
 //! Every pass keeps to these capacities: grids are made coarser, or the
 //! recursion stops, before one is exceeded.
 
@@ -15,7 +16,7 @@ use super::turn::Turn;
 use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::{Counts, REF_WORDS, Triangle, sections};
-use crate::options::{Options, Orientation, Quality, Structure};
+use crate::options::{Options, Orientation, Structure};
 
 /// Bytes that [`super::plan`] and [`super::Plan::write`] need at the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,8 +46,6 @@ pub struct Capacity {
     pub table: usize,
     /// Triangles that a tree of boxes is built over: all or none.
     pub tree: usize,
-    /// And a binary tree.
-    pub binary: usize,
 }
 
 /// Voxels that a grid over `objects` objects can have with `alpha`: rounding
@@ -82,7 +81,6 @@ impl Capacity {
         Self {
             triangles,
             tree: if tree { triangles } else { 0 },
-            binary: if tree && options.quality == Quality::High { triangles } else { 0 },
             filtered: if hug { triangles } else { 0 },
             grids: if none { 0 } else { whole(grids) },
             turns: if none || !turned { 0 } else { whole(grids) },
@@ -113,33 +111,43 @@ impl Capacity {
             frames: self.turns as u64,
             nodes: tree::capacity(self.tree) as u64,
         })?;
-        let records = [
-            // And their order, and notes of the bucket sort.
-            (self.triangles, size_of::<Triangle>() + 4 + 8),
-            // Boxes, the clustering's order and parts, levels.
-            (self.filtered, size_of::<Aabb>() + 4 + size_of::<Part>() + 1),
-            // The objects of the grid at hand.
+        let [nodes, for_nodes, for_triangles] = tree::records(self.tree);
+        let all = [
+            (self.triangles, size_of::<Triangle>()),
+            (self.filtered, size_of::<Aabb>()),
+            // The objects of the grid at hand, before the order of the tree.
             (self.triangles + self.links, 4),
+            (self.table, 8),
+            nodes,
+        ];
+        let grids = [
+            // The triangles' order, and notes of the bucket sort.
+            (self.triangles, 4 + 8),
+            // The clustering's order and parts, levels.
+            (self.filtered, 4 + size_of::<Part>() + 1),
             (self.grids, size_of::<Grid>() + size_of::<[u32; 2]>()),
             (self.turns, size_of::<Turn>()),
             (self.links, size_of::<[u32; 2]>()),
             (self.voxels, size_of::<Span>()),
-            (self.table, 8),
             (self.refs, 4),
             (self.stream, 4),
+            // In the order of the tree.
+            (self.tree, size_of::<Triangle>()),
         ];
-        // Room to align each slice.
-        let mut scratch = 64 * 20;
-        for (count, size) in
-            records.into_iter().chain(tree::Memory::records([self.tree, self.binary]))
-        {
-            scratch = count
-                .checked_mul(size)
-                .and_then(|bytes| bytes.checked_add(scratch))
-                .ok_or(Error::Overflow)?;
-        }
+        // The tree is built before the grids, in the same memory. Room to align each slice.
+        let memory = bytes(&grids)?.max(bytes(&[for_nodes, for_triangles])?);
+        let scratch = bytes(&all)?.checked_add(memory).ok_or(Error::Overflow)?;
+        let scratch = scratch.checked_add(64 * 20).ok_or(Error::Overflow)?;
         let scratch = scratch.checked_next_multiple_of(64).ok_or(Error::Overflow)?;
         isize::try_from(scratch).map_err(|_| Error::Overflow)?;
         Ok(Sizes { arena: arena as usize, scratch })
     }
+}
+
+/// Bytes for so many records of these sizes.
+fn bytes(records: &[(usize, usize)]) -> Result<usize, Error> {
+    records.iter().try_fold(0usize, |sum, &(count, size)| {
+        let bytes = count.checked_mul(size).ok_or(Error::Overflow)?;
+        sum.checked_add(bytes).ok_or(Error::Overflow)
+    })
 }

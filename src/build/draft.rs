@@ -7,7 +7,7 @@
 use super::arrangement::Objects;
 use super::bucket::{self, Lists, Notes, find, find_in_tasks, total};
 use super::capacity::Capacity;
-use super::control::{self, Control, TASKS};
+use super::control::Control;
 use super::frame::{Grid, Rule};
 use super::gather::Soup;
 use super::scratch::Scratch;
@@ -23,9 +23,6 @@ pub struct Span {
     pub start: u32,
     pub count: u32,
 }
-
-/// Triangles that a task copies.
-const COPY: usize = 4096;
 
 /// What [`Draft::fill`] does when a grid's references exceed its budget.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -114,22 +111,7 @@ impl<'s> Draft<'s> {
         to: &mut [Triangle],
         control: &mut Control<'_>,
     ) -> Result<(), Error> {
-        let all = to.len();
-        let mut done = 0;
-        let order = self.order[..self.numbered].chunks(COPY * TASKS);
-        for (to, order) in to.chunks_mut(COPY * TASKS).zip(order) {
-            let mut parts = to.chunks_mut(COPY).zip(order.chunks(COPY));
-            let mut tasks = control::parts(|| parts.next());
-            control.each(&mut tasks, |(to, order)| {
-                for (to, &from) in to.iter_mut().zip(*order) {
-                    *to = self.soup.triangles[from as usize];
-                }
-            })?;
-            done += order.len();
-            control.count(order.len());
-            control.at(done, all)?;
-        }
-        Ok(())
+        self.soup.copy(&self.order[..self.numbered], to, control)
     }
 
     /// A word for each triangle that nothing else uses between two fillings.

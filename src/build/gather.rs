@@ -8,6 +8,7 @@ use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
 use crate::geometry::Geometry;
+use crate::simd::fetch;
 use crate::triangle::degenerate;
 use glam::Vec3A;
 
@@ -23,6 +24,8 @@ pub struct Soup<'s> {
 
 /// Triangles of a part, at most.
 const PART: usize = 4096;
+/// By how many triangles memory is asked for ahead.
+const SOON: usize = 16;
 
 /// Some triangles of a geometry, and where they go.
 struct Part<'a> {
@@ -96,6 +99,47 @@ impl<'s> Soup<'s> {
             dropped_non_finite: all.dropped_non_finite,
             dropped_degenerate: all.dropped_degenerate,
         })
+    }
+
+    /// Writes some of the triangles, in this order.
+    pub fn copy(
+        &self,
+        order: &[u32],
+        to: &mut [Triangle],
+        control: &mut Control<'_>,
+    ) -> Result<(), Error> {
+        let mut done = 0;
+        for (to, batch) in to.chunks_mut(PART * TASKS).zip(order.chunks(PART * TASKS)) {
+            let mut some = to.chunks_mut(PART).zip(batch.chunks(PART));
+            let mut tasks = parts(|| some.next());
+            control.each(&mut tasks, |(to, order)| {
+                for (i, (to, &from)) in to.iter_mut().zip(*order).enumerate() {
+                    if let Some(&soon) = order.get(i + SOON) {
+                        fetch(&raw const self.triangles[soon as usize]);
+                    }
+                    *to = self.triangles[from as usize];
+                }
+            })?;
+            done += batch.len();
+            control.count(batch.len());
+            control.at(done, order.len())?;
+        }
+        Ok(())
+    }
+
+    /// Moves the triangles into this order, so that what is near in space is near in memory,
+    /// too; they then are in the order of their numbers.
+    pub fn reorder(
+        &mut self,
+        order: &mut [u32],
+        scratch: &mut Scratch<'s>,
+        control: &mut Control<'_>,
+    ) -> Result<(), Error> {
+        let to = scratch.take(order.len())?;
+        self.copy(order, to, control)?;
+        self.triangles = to;
+        (0..).zip(order).for_each(|(i, to)| *to = i);
+        Ok(())
     }
 }
 

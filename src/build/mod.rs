@@ -60,7 +60,6 @@ use capacity::Capacity;
 use draft::Draft;
 use gather::Soup;
 use scratch::Scratch;
-use tree::{Care, Memory};
 
 /// Upper bounds on the memory a build of these geometries needs; their
 /// vertices are not looked at.
@@ -112,21 +111,25 @@ pub fn plan_with<'s>(
         let mut scratch = Scratch::new(scratch);
         control.begin();
         control.pass(0.1)?;
-        let soup =
+        let mut soup =
             Soup::gather(soup, (capacity.triangles, capacity.filtered), &mut scratch, control)?;
         let count = soup.triangles.len();
         let objects = scratch.take::<u32>(capacity.triangles + capacity.links)?;
-        let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
         let table = scratch.take::<u64>(capacity.table)?;
-        let tree = Memory::take([capacity.tree, capacity.binary], &mut scratch)?;
         let mut nodes: &[Node] = &[];
         if capacity.tree > 0 && count >= LEAF as usize {
-            control.pass(0.4)?;
-            let care = if options.quality == Quality::High { Care::HIGH } else { Care::NORMAL };
-            nodes = tree.build(&draft.soup, &mut objects[..count], care, control)?;
+            let memory = scratch.take::<Node>(tree::capacity(capacity.tree))?;
+            let care = options.quality == Quality::High;
+            let order = &mut objects[..count];
+            nodes = tree::build(&soup, memory, order, care, scratch.rest(), control)?;
             if !nodes.is_empty() {
-                draft.keep_order();
+                control.pass(0.42)?;
+                soup.reorder(order, &mut scratch, control)?;
             }
+        }
+        let mut draft = Draft::new(soup, &capacity, options.max_refs, &mut scratch)?;
+        if !nodes.is_empty() {
+            draft.keep_order();
         }
         if count > 0 {
             match options.structure {

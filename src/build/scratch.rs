@@ -12,6 +12,11 @@ impl<'s> Scratch<'s> {
         Self(block)
     }
 
+    /// All of what is left, for a while.
+    pub fn rest(&mut self) -> Scratch<'_> {
+        Scratch(self.0)
+    }
+
     /// Cuts off `count` records with whatever bytes they hold.
     pub fn take<T: Pod>(&mut self, count: usize) -> Result<&'s mut [T], Error> {
         let bytes = count.checked_mul(size_of::<T>()).ok_or(Error::Overflow)?;

@@ -1,24 +1,26 @@
-//! The tree of boxes: triangles split in two and again, by boxes of least surface, into nodes
-//! of eight parts and leaves of up to eight triangles.
+//! The tree of boxes: nodes of eight parts and leaves of up to eight triangles.
 //!
-//! Splits are those of least expected cost by surface area (MacDonald & Booth 1990) among
-//! the borders of a few bins (Wald 2007). A node is split at the part of the largest surface
-//! until it has eight parts (`level`). Level by level, a node is a task: its triangles lie
-//! together, and those of a level in the order of its nodes. Numbers are given between levels
-//! (`numbers`), so the tree does not depend on who did what. Where it becomes deep, triangles
-//! are halved instead, so that its depth, and with it the work, is bounded: there are at most
-//! [`CHOSEN`] + log2 n levels, and of each a triangle is in at most seven splits.
-//!
-//! With more care, there is a binary tree first (`binary`), in which subtrees are moved
-//! (`reinsert`), and whose nodes are joined to those of least cost (`collapse`). Should that
-//! become too deep or too large, it is as if there had been no binary tree.
+//! A binary tree over single triangles comes first. At the default quality it is joined from
+//! below (`below`): triangles lie along a Morton curve (`curve`), and of those near each other
+//! there (`near`) the two whose box is least become a node, in rounds. With care it is split from
+//! above (`above`, `split`), which rays find a little better and takes three times as long, and
+//! subtrees are moved to where they cost less (`reinsert`). Either way its nodes become the nodes of
+//! eight parts that cost least (`costs`, `collapse`) or, should these be too many, those of the largest
+//! parts; numbers are given level by level (`numbers`). Should they then be too many still, or too
+//! deep, there is no tree.
+//! What is cut into tasks does not depend on who does them, nor does the tree.
 
+mod above;
+mod below;
 mod binary;
 mod collapse;
+mod costs;
+mod curve;
 mod item;
-mod level;
+mod near;
 mod numbers;
 mod reinsert;
+mod rows;
 mod split;
 
 use super::control::Control;
@@ -27,17 +29,14 @@ use super::gather::Soup;
 use super::scratch::Scratch;
 use crate::Error;
 use crate::arena::layout::{MAX_DEPTH, Node, PART_SHIFT, TREE_UNITS};
-use binary::Binary;
-use collapse::{Collapse, Costs};
-use item::{Item, items};
-use level::split_level;
-use numbers::Numbers;
+use collapse::Collapse;
+use costs::Costs;
+use curve::{Key, sorted};
+use item::{Frame, Item, items};
+use numbers::{Named, Rest, level};
 use reinsert::reinsert;
+use rows::{Rows, WORDS};
 
-pub use split::Care;
-
-/// Levels of nodes whose splits are chosen; below, triangles are halved.
-const CHOSEN: usize = 36;
 /// Triangles above which parts' places do not fit a node's words.
 pub const MOST: usize = 1 << (32 - PART_SHIFT);
 
@@ -51,160 +50,130 @@ pub fn capacity(triangles: usize) -> usize {
     if triangles == 0 || triangles >= MOST { 0 } else { triangles / 9 + triangles / 7 + 2 }
 }
 
-/// Working memory.
-pub struct Memory<'s> {
-    items: &'s mut [Item],
+/// Bytes for a tree's nodes, and those that are needed only while it is built.
+pub fn records(triangles: usize) -> [(usize, usize); 3] {
+    let binary = 2 * size_of::<Item>() + size_of::<[u32; 2]>() + size_of::<Costs>();
+    let nodes = capacity(triangles);
+    [(nodes, size_of::<Node>()), (nodes, size_of::<u32>()), (triangles, binary)]
+}
+
+// Twice what is to be joined, and keys in place of once that, fit in the memory of nodes: for nine
+// and for seven triangles there is one, and two more.
+const _: () =
+    assert!(16 * size_of::<Node>() / 4 >= 63 * 2 * WORDS && 4 * WORDS == size_of::<[Key; 2]>());
+
+/// Builds the tree over all triangles of a soup of two or more, and orders them as its leaves
+/// are; with `care`, better and later. `nodes` are at least [`capacity`]; what else is needed
+/// is of no use afterwards. Where most triangles are in leaves so small beside the scene's
+/// extent that the descent's margins, which are in proportion to that, double their boxes'
+/// surface, there are no nodes: grids have coordinates of their own.
+pub fn build<'s>(
+    soup: &Soup<'_>,
     nodes: &'s mut [Node],
-    /// Of each node that is named, the first of its items, or what it was in the binary tree,
-    /// and the number of its triangles.
-    ranges: &'s mut [[u32; 2]],
-    below: &'s mut [[u32; 2]],
-    costs: &'s mut [Costs],
-}
-
-impl<'s> Memory<'s> {
-    /// For up to so many triangles, and so many in a binary tree: all or none.
-    pub fn take([triangles, binary]: [usize; 2], scratch: &mut Scratch<'s>) -> Result<Self, Error> {
-        let nodes = capacity(triangles);
-        Ok(Self {
-            items: scratch.take(triangles + binary)?,
-            nodes: scratch.take(nodes)?,
-            ranges: scratch.take(nodes)?,
-            below: scratch.take(binary)?,
-            costs: scratch.take(binary)?,
-        })
-    }
-
-    /// Bytes for these.
-    pub fn records([triangles, binary]: [usize; 2]) -> [(usize, usize); 3] {
-        let nodes = capacity(triangles);
-        [
-            (triangles, size_of::<Item>()),
-            (nodes, size_of::<Node>() + size_of::<[u32; 2]>()),
-            (binary, size_of::<Item>() + size_of::<[u32; 2]>() + size_of::<Costs>()),
-        ]
-    }
-
-    /// Builds the tree over all triangles of a soup of two or more, and orders them as its
-    /// leaves are. Where most triangles are in leaves so small beside the scene's extent that
-    /// the descent's margins, which are in proportion to that, double their boxes' surface, there
-    /// are no nodes: grids have coordinates of their own.
-    pub fn build(
-        self,
-        soup: &Soup<'_>,
-        order: &mut [u32],
-        care: Care,
-        control: &mut Control<'_>,
-    ) -> Result<&'s [Node], Error> {
-        let Self { items: memory, nodes, ranges, below, costs } = self;
-        if !TREE_UNITS.contains(&unit(&soup.bounds)) {
-            return Ok(&[]);
-        }
-        let n = soup.triangles.len();
-        items(soup, &mut memory[..n], control)?;
-        let mut found = None;
-        if !below.is_empty() {
-            let (boxes, below) = (&mut memory[..2 * n - 1], &mut below[..n - 1]);
-            let mut tree = Binary::build(boxes, below, care, control)?;
-            reinsert(&mut tree, order, control)?;
-            let tree = Collapse::new(tree, &mut costs[..n - 1], control)?;
-            let numbers = Numbers::new([tree.root(), n as u32], ranges, order);
-            found = collapse(&tree, nodes, numbers, control)?;
-        }
-        let [count, tiny] = match found {
-            Some(found) => found,
-            None => {
-                let numbers = Numbers::new([0, n as u32], ranges, order);
-                from_above(&mut memory[..n], nodes, numbers, care, control)?
-            }
-        };
-        Ok(if 2 * tiny > n { &[] } else { &nodes[..count] })
-    }
-}
-
-/// Splits items into nodes; how many there are, and how many triangles are in tiny leaves.
-fn from_above(
-    items: &mut [Item],
-    nodes: &mut [Node],
-    mut numbers: Numbers<'_>,
-    care: Care,
+    order: &mut [u32],
+    care: bool,
+    mut scratch: Scratch<'_>,
     control: &mut Control<'_>,
-) -> Result<[usize; 2], Error> {
-    let (mut level, mut depth) = (0..1, 0);
-    while !level.is_empty() {
-        let some = &mut nodes[level.clone()];
-        let ranges = &numbers.ranges[level.clone()];
-        split_level(some, ranges, items, (depth < CHOSEN).then_some(care), control)?;
-        for node in some {
-            numbers.give(node, &|start, to| {
-                for (to, item) in to.iter_mut().zip(&items[start as usize..]) {
-                    *to = item.number();
-                }
-            });
-        }
-        control.at(numbers.first, items.len())?;
-        level = level.end..numbers.next;
-        depth += 1;
+) -> Result<&'s [Node], Error> {
+    if !TREE_UNITS.contains(&unit(&soup.bounds)) {
+        return Ok(&[]);
     }
-    Ok([numbers.next, numbers.tiny])
+    let n = soup.triangles.len();
+    let boxes = scratch.take::<Item>(2 * n - 1)?;
+    let below = scratch.take::<[u32; 2]>(n - 1)?;
+    let costs = scratch.take::<Costs>(n - 1)?;
+    let known = scratch.take::<u32>(nodes.len())?;
+    let frame = Frame::new(&soup.bounds);
+    // Keys are in the first half of what is needed, the sorted ones behind the others.
+    let (keys, words) = bytemuck::cast_slice_mut::<Node, u32>(nodes).split_at_mut(WORDS * n);
+    let mut now = Rows::new(&mut words[..WORDS * n]);
+    control.pass(0.16)?;
+    let sorted = sorted(soup, &frame, bytemuck::cast_slice_mut(keys), control)?;
+    control.pass(0.2)?;
+    items(soup, &frame, sorted, (&mut boxes[..n], &mut now), control)?;
+    let rows = [now, Rows::new(keys)];
+    control.pass(0.34)?;
+    let tree = if care {
+        let mut tree = above::build(boxes, below, control)?;
+        reinsert(&mut tree, order, control)?;
+        tree
+    } else {
+        below::build(boxes, below, rows, order, costs, control)?
+    };
+    let mut tree = Collapse::new(tree, costs);
+    if care {
+        tree.count_all(control)?;
+    }
+    control.pass(0.4)?;
+    let mut found = collapse(&tree, nodes, known, order, control)?;
+    if found.is_none() {
+        tree.keep_few();
+        found = collapse(&tree, nodes, known, order, control)?;
+    }
+    Ok(match found {
+        Some(named) if 2 * named.tiny <= n => &nodes[..named.nodes],
+        _ => &[],
+    })
 }
 
-/// Writes the nodes of a binary tree; what [`from_above`] says, or `None` if they are too many or too
-/// deep.
+/// Writes the nodes of a binary tree, and the order of triangles; `known` is for what nodes were in
+/// the binary tree, as many as there may be. `None` if they are too many or too deep.
 fn collapse(
     tree: &Collapse<'_, '_>,
     nodes: &mut [Node],
-    mut numbers: Numbers<'_>,
+    known: &mut [u32],
+    order: &mut [u32],
     control: &mut Control<'_>,
-) -> Result<Option<[usize; 2]>, Error> {
-    let (mut level, mut depth) = (0..1, 0);
-    while !level.is_empty() {
+) -> Result<Option<Named>, Error> {
+    known[0] = tree.root();
+    let (mut all, mut depth) = (0..1, 0);
+    let mut named = Named { nodes: 1, ..Named::default() };
+    while !all.is_empty() {
         if depth == MAX_DEPTH {
             return Ok(None);
         }
-        for i in level.clone() {
-            let node = &mut nodes[i];
-            *node = tree.node(numbers.ranges[i][0]);
-            if !numbers.give(node, &|part, to| tree.triangles(part, to)) {
-                return Ok(None);
-            }
-        }
-        control.at(numbers.first, tree.len(tree.root()) as usize)?;
-        level = level.end..numbers.next;
+        let (above, known) = known.split_at_mut(all.end);
+        let rest = Rest { known, order: &mut order[named.triangles..] };
+        let some = &mut nodes[all.clone()];
+        let Some(all_named) = level(tree, some, &above[all.clone()], named, rest, control)? else {
+            return Ok(None);
+        };
+        named = all_named;
+        control.count(all.len());
+        control.at(named.triangles, tree.len(tree.root()) as usize)?;
+        all = all.end..named.nodes;
         depth += 1;
     }
-    Ok(Some([numbers.next, numbers.tiny]))
+    Ok(Some(named))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::binary::tests::{boxes, built};
     use super::*;
     use bytemuck::Zeroable;
     use std::{vec, vec::Vec};
 
-    /// Where the nodes of least cost are more than there is room for, triangles are split as if
-    /// there had been no binary tree.
+    /// Where the nodes of least cost are more than there is room for, fewer are made.
     #[test]
     fn too_many_nodes() {
         const COUNT: usize = 900;
-        let mut control = Control::default();
-        let (mut boxes, mut below) = (binary::tests::boxes(1, COUNT), vec![[0; 2]; COUNT - 1]);
-        let mut costs = vec![[0.0; 7]; COUNT - 1];
-        let (mut order, mut ranges) = (vec![0; COUNT], vec![[0; 2]; capacity(COUNT)]);
+        let (mut boxes, mut below) = (boxes(1, COUNT), vec![[0; 2]; COUNT - 1]);
+        let mut costs = vec![[0.0; 8]; COUNT - 1];
+        let (mut order, mut known) = (vec![0; COUNT], vec![0; capacity(COUNT)]);
         let mut nodes = vec![Node::zeroed(); capacity(COUNT)];
-        let mut tree =
-            Binary::build(&mut boxes, &mut below, Care::HIGH, &mut control).expect("not cancelled");
+        let mut control = Control::default();
+        let mut tree = built(&mut boxes, &mut below);
         reinsert(&mut tree, &mut order, &mut control).expect("not cancelled");
-        let tree = Collapse::new(tree, &mut costs, &mut control).expect("not cancelled");
-        let root = [tree.root(), COUNT as u32];
-        let numbers = Numbers::new(root, &mut ranges[..9], &mut order);
-        let found = collapse(&tree, &mut nodes, numbers, &mut control);
+        let mut tree = Collapse::new(tree, &mut costs);
+        tree.count_all(&mut control).expect("not cancelled");
+        let found = collapse(&tree, &mut nodes, &mut known[..9], &mut order, &mut control);
         assert_eq!(found, Ok(None));
-        let numbers = Numbers::new([0, COUNT as u32], &mut ranges, &mut order);
-        let [count, _] =
-            from_above(&mut boxes[..COUNT], &mut nodes, numbers, Care::HIGH, &mut control)
-                .expect("not cancelled");
-        assert!((9..=capacity(COUNT)).contains(&count));
+        tree.keep_few();
+        let found = collapse(&tree, &mut nodes, &mut known, &mut order, &mut control);
+        let named = found.expect("not cancelled").expect("few");
+        assert_eq!(named.triangles, COUNT);
+        assert!((9..=capacity(COUNT)).contains(&named.nodes));
         order.sort_unstable();
         assert_eq!(order, (0..COUNT as u32).collect::<Vec<_>>());
     }

@@ -7,7 +7,7 @@
 /// instructions: values come from run-time detection, unless the target has them
 /// anyway. What four lanes compute is the same everywhere, bit for bit, but for numbers
 /// out of range, NaN and which of two zeros is the greater; wide rows may round
-/// otherwise.
+/// otherwise where an operation says so, and not in others: the tree of boxes is built with these.
 pub(crate) trait Lanes: Copy + 'static {
     type F64: Copy;
     type F32: Copy;

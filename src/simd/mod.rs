@@ -3,8 +3,9 @@
 //! that is not cleared before it is used.
 //!
 //! The algorithms are written once, over [`Lanes`]; each instruction set is a
-//! thin shell. No result depends on which one runs: lanes only steer the walk,
-//! which is conservative, and sieve triangles, whose hits `triangle` decides.
+//! thin shell. No result depends on which one runs: lanes steer the walk,
+//! which is conservative, sieve triangles, whose hits `triangle` decides, and in a build compute what
+//! is rounded alike everywhere.
 
 #[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
 mod aarch64;

@@ -2,33 +2,28 @@
 //! Laine 2017), by dynamic programming.
 
 use super::binary::{Binary, NONE};
+use super::costs::{Costs, cheapest, joined, of_triangle};
 use crate::Error;
 use crate::arena::layout::{LEAF, Node, PARTS};
 use crate::build::control::Control;
-
-/// What it costs to meet a node, a leaf and each triangle of it, in instructions.
-const OF_NODE: f32 = 67.0;
-const OF_LEAF: f32 = 190.0;
-const OF_TRIANGLE: f32 = 3.0;
-
-/// The least cost of what is below a box, times its surface, as one part, two at most, and so
-/// on.
-pub type Costs = [f32; PARTS - 1];
 
 /// The costs of all nodes of a binary tree.
 pub struct Collapse<'a, 'b> {
     tree: Binary<'b>,
     costs: &'a mut [Costs],
+    /// Whether nodes are to be few, whatever they cost.
+    few: bool,
 }
 
 impl<'a, 'b> Collapse<'a, 'b> {
-    /// Looks at every node after those below.
-    pub fn new(
-        tree: Binary<'b>,
-        costs: &'a mut [Costs],
-        control: &mut Control<'_>,
-    ) -> Result<Self, Error> {
-        let mut all = Self { tree, costs };
+    /// With the costs that are known.
+    pub fn new(tree: Binary<'b>, costs: &'a mut [Costs]) -> Self {
+        Self { tree, costs, few: false }
+    }
+
+    /// Counts the costs: of every node after those below.
+    pub fn count_all(&mut self, control: &mut Control<'_>) -> Result<(), Error> {
+        let all = self;
         // Down to the node at hand, or up from what is below it.
         let (mut node, mut from) = (all.tree.root, NONE);
         while let Some([a, b]) = all.tree.below(node) {
@@ -48,11 +43,17 @@ impl<'a, 'b> Collapse<'a, 'b> {
                 from = next;
             }
         }
-        Ok(all)
+        Ok(())
     }
 
     pub fn root(&self) -> u32 {
         self.tree.root
+    }
+
+    /// From now on the largest part of a node is parted next, while there is room: one without
+    /// nodes below then holds nine triangles at least, and one with such has eight parts.
+    pub fn keep_few(&mut self) {
+        self.few = true;
     }
 
     /// Triangles below a box.
@@ -60,37 +61,28 @@ impl<'a, 'b> Collapse<'a, 'b> {
         if self.tree.below(i).is_some() { self.tree.number(i) } else { 1 }
     }
 
-    fn leaf(&self, i: u32, len: u32) -> f32 {
-        self.tree.surface(i) * (OF_LEAF + OF_TRIANGLE * len as f32)
-    }
-
     #[inline(never)]
     fn costs(&self, i: u32) -> Costs {
         match self.costs.get((i as usize).wrapping_sub(self.tree.triangles)) {
             Some(costs) => *costs,
-            None => [self.leaf(i, 1); PARTS - 1],
+            None => of_triangle(self.tree.surface(i)),
         }
     }
 
     fn count(&mut self, node: u32, below: [u32; 2]) {
-        let len = self.len(below[0]) + self.len(below[1]);
-        self.tree.set_number(node, len);
-        let [a, b] = below.map(|i| self.costs(i));
-        let mut costs = [0.0; PARTS - 1];
-        costs[0] = if len <= LEAF {
-            self.leaf(node, len)
-        } else {
-            self.tree.surface(node) * OF_NODE + cheapest(&a, &b, PARTS).0
-        };
-        for parts in 2..PARTS {
-            costs[parts - 1] = costs[0].min(cheapest(&a, &b, parts).0);
-        }
+        let [a, b] = below.map(|i| self.len(i));
+        self.tree.set_number(node, a + b);
+        let costs = below.map(|i| self.costs(i));
+        let costs = joined(self.tree.surface(node), a + b, costs, [a == 1, b == 1]);
         self.costs[node as usize - self.tree.triangles] = costs;
     }
 
     /// The parts of a node: the boxes that they are in the binary tree.
     #[inline(never)]
     fn parts(&self, node: u32) -> ([u32; PARTS], usize) {
+        if self.few {
+            return self.large_parts(node);
+        }
         let (mut found, mut count) = ([0; PARTS], 0);
         let mut waiting = [(node, PARTS); PARTS];
         let mut left = 1;
@@ -111,6 +103,22 @@ impl<'a, 'b> Collapse<'a, 'b> {
                     count += 1;
                 }
             }
+        }
+        (found, count)
+    }
+
+    /// The same, where nodes are to be few.
+    fn large_parts(&self, node: u32) -> ([u32; PARTS], usize) {
+        let (mut found, mut count) = ([node; PARTS], 1);
+        while count < PARTS {
+            let size = |i: usize| self.tree.surface(found[i]);
+            let large = (0..count).filter(|&i| self.len(found[i]) > LEAF);
+            let Some(i) = large.reduce(|a, b| if size(b) > size(a) { b } else { a }) else {
+                break;
+            };
+            let Some(below) = self.tree.below(found[i]) else { break };
+            [found[i], found[count]] = below;
+            count += 1;
         }
         (found, count)
     }
@@ -148,23 +156,10 @@ impl<'a, 'b> Collapse<'a, 'b> {
     }
 }
 
-/// The least cost of two boxes in so many parts, and how many of these the first has.
-#[inline(never)]
-fn cheapest(a: &Costs, b: &Costs, parts: usize) -> (f32, usize) {
-    let mut best = (f32::INFINITY, 1);
-    for first in 1..parts {
-        let cost = a[first - 1] + b[parts - first - 1];
-        if cost < best.0 {
-            best = (cost, first);
-        }
-    }
-    best
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::binary::tests::boxes;
-    use super::super::split::Care;
+    use super::super::binary::tests::{boxes, built};
+    use super::super::costs::{OF_NODE, of_leaf};
     use super::*;
     use std::{vec, vec::Vec};
 
@@ -181,7 +176,7 @@ mod tests {
             parts.extend(tree.tree.below(part).into_iter().flatten());
         }
         let below = parts.into_iter().map(|part| match tree.len(part) {
-            len @ ..=LEAF => f64::from(tree.leaf(part, len)),
+            len @ ..=LEAF => f64::from(of_leaf(tree.tree.surface(part), len)),
             _ => greedy(tree, part),
         });
         below.sum::<f64>() + f64::from(size(node) * OF_NODE)
@@ -191,7 +186,7 @@ mod tests {
     fn made(tree: &Collapse<'_, '_>, node: u32) -> f64 {
         let (parts, count) = tree.parts(node);
         let below = parts[..count].iter().map(|&part| match tree.len(part) {
-            len @ ..=LEAF => f64::from(tree.leaf(part, len)),
+            len @ ..=LEAF => f64::from(of_leaf(tree.tree.surface(part), len)),
             _ => made(tree, part),
         });
         below.sum::<f64>() + f64::from(tree.tree.surface(node) * OF_NODE)
@@ -201,11 +196,10 @@ mod tests {
     fn no_dearer_than_greedy_and_what_was_counted() {
         for seed in 0..5 {
             let (mut boxes, mut below) = (boxes(seed, 900), vec![[0; 2]; 899]);
-            let mut costs = vec![[0.0; PARTS - 1]; 899];
+            let mut costs = vec![[0.0; PARTS]; 899];
             let mut control = Control::default();
-            let tree = Binary::build(&mut boxes, &mut below, Care::HIGH, &mut control);
-            let tree = Collapse::new(tree.expect("a tree"), &mut costs, &mut control);
-            let tree = tree.expect("not cancelled");
+            let mut tree = Collapse::new(built(&mut boxes, &mut below), &mut costs);
+            tree.count_all(&mut control).expect("not cancelled");
             let (made, greedy) = (made(&tree, tree.root()), greedy(&tree, tree.root()));
             let counted = f64::from(tree.costs(tree.root())[0]);
             assert!((made / counted - 1.0).abs() < 1e-4, "{made} {counted}");

@@ -1,10 +1,14 @@
 //! Triangles as the tree sees them: boxes, relative to the scene's.
 
+use super::curve::Key;
+use super::rows::Rows;
 use crate::Error;
+use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
 use crate::build::control::{Control, TASKS, parts};
 use crate::build::frame::unit;
 use crate::build::gather::Soup;
+use crate::simd::fetch;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3A, Vec4};
 
@@ -25,6 +29,12 @@ pub struct Item {
 const NORMAL: u32 = 1 << 30;
 
 impl Item {
+    /// A node's, by its bounds.
+    #[inline(always)]
+    pub fn node([a, b, c, d, e, f]: [f32; 6], len: u32) -> Self {
+        Self { lo: [a, b, c], number: len | NORMAL, hi: [d, e, f], above: NORMAL }
+    }
+
     /// Its triangle's place in the soup, or a node's number of triangles, below 2^30.
     pub fn number(&self) -> u32 {
         self.number & !NORMAL
@@ -62,40 +72,83 @@ impl Item {
 /// Triangles of a task.
 const SHARE: usize = 4096;
 
-/// Writes an item for each triangle.
-pub fn items(soup: &Soup<'_>, to: &mut [Item], control: &mut Control<'_>) -> Result<(), Error> {
-    let frame = Frame { lower: soup.bounds.lo.map(f64::from), unit: unit(&soup.bounds) };
+/// By how many triangles memory is asked for ahead.
+const AHEAD: usize = 16;
+
+/// The triangles of a soup in the order of keys, as items and as what is to be joined.
+pub fn items(
+    soup: &Soup<'_>,
+    frame: &Frame,
+    keys: &[Key],
+    (to, rows): (&mut [Item], &mut Rows<'_>),
+    control: &mut Control<'_>,
+) -> Result<(), Error> {
     let chunk = SHARE * TASKS;
-    for (i, (to, from)) in to.chunks_mut(chunk).zip(soup.triangles.chunks(chunk)).enumerate() {
+    let mut rows = rows.all();
+    for (i, (to, keys)) in to.chunks_mut(chunk).zip(keys.chunks(chunk)).enumerate() {
         let starts = (i * chunk..).step_by(SHARE);
-        let mut rest = to.chunks_mut(SHARE).zip(from.chunks(SHARE)).zip(starts);
-        let mut tasks = parts(|| rest.next());
-        control.each(&mut tasks, |((to, from), start)| {
-            for (number, (to, triangle)) in (*start as u32..).zip(to.iter_mut().zip(*from)) {
-                *to = frame.item(triangle, number);
+        let mut rest = to.chunks_mut(SHARE).zip(keys.chunks(SHARE)).zip(starts);
+        let mut tasks = parts(|| {
+            let ((to, keys), start) = rest.next()?;
+            Some((rows.cut(to.len()), to, keys, start as u32))
+        });
+        control.each(&mut tasks, |(rows, to, keys, start)| {
+            for (i, (to, key)) in to.iter_mut().zip(*keys).enumerate() {
+                if let Some(key) = keys.get(i + AHEAD) {
+                    fetch(&raw const soup.triangles[key[1] as usize]);
+                }
+                *to = frame.item(&soup.triangles[key[1] as usize], key[1] as u32);
+                let ([a, b, c], [d, e, f]) = (to.lo, to.hi);
+                rows.set(i, [a, b, c, d, e, f], [*start + i as u32, 1]);
             }
         })?;
-        control.count(from.len());
-        control.at(i * chunk, soup.triangles.len())?;
+        control.count(to.len());
+        control.at(i * chunk, keys.len())?;
     }
     Ok(())
 }
 
-struct Frame {
+/// The tree's coordinates.
+pub struct Frame {
     lower: [f64; 3],
     unit: f64,
 }
 
+#[inline(always)]
+fn least([a, b, c]: [f32; 3]) -> f32 {
+    let least = |a: f32, b: f32| if a < b { a } else { b };
+    least(least(a, b), c)
+}
+
+#[inline(always)]
+fn most([a, b, c]: [f32; 3]) -> f32 {
+    let most = |a: f32, b: f32| if a > b { a } else { b };
+    most(most(a, b), c)
+}
+
 impl Frame {
+    pub fn new(bounds: &Aabb) -> Self {
+        Self { lower: bounds.lo.map(f64::from), unit: unit(bounds) }
+    }
+
+    /// The cell that the middle of a triangle's box is in, of cells whose sides are 1 / `count`.
+    #[inline(always)]
+    pub fn cell(&self, triangle: &Triangle, count: u32) -> [u32; 3] {
+        let corners = [triangle.x, triangle.y, triangle.z];
+        let scale = self.unit * f64::from(count) * 0.5;
+        [0, 1, 2].map(|k| {
+            let twice = f64::from(least(corners[k])) + f64::from(most(corners[k]));
+            ((twice - 2.0 * self.lower[k]) * scale) as u32
+        })
+    }
+
     #[inline(always)]
     fn item(&self, triangle: &Triangle, number: u32) -> Item {
         let number = number | NORMAL;
         let mut item = Item { lo: [0.0; 3], number, hi: [0.0; 3], above: NORMAL };
-        for (k, [a, b, c]) in [triangle.x, triangle.y, triangle.z].into_iter().enumerate() {
-            let least = |a: f32, b: f32| if a < b { a } else { b };
-            let most = |a: f32, b: f32| if a > b { a } else { b };
-            item.lo[k] = self.below(k, least(least(a, b), c));
-            item.hi[k] = self.above(k, most(most(a, b), c));
+        for (k, along) in [triangle.x, triangle.y, triangle.z].into_iter().enumerate() {
+            item.lo[k] = self.below(k, least(along));
+            item.hi[k] = self.above(k, most(along));
         }
         item
     }

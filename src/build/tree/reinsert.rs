@@ -5,8 +5,7 @@
 //! as the boxes on the way leave hope (Meister & Bittner 2018). Each subtree is moved before
 //! the next is looked at.
 
-use super::binary::{Binary, NONE};
-use super::split::surface;
+use super::binary::{Binary, NONE, surface};
 use crate::Error;
 use crate::build::control::Control;
 
@@ -141,8 +140,7 @@ fn climb(tree: &mut Binary<'_>, mut node: u32) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::binary::tests::{boxes, total};
-    use super::super::split::Care;
+    use super::super::binary::tests::{boxes, built, total};
     use super::*;
     use std::vec;
 
@@ -151,8 +149,7 @@ mod tests {
         for seed in 0..5 {
             let (mut boxes, mut below) = (boxes(seed, 700), vec![[0; 2]; 699]);
             let mut control = Control::default();
-            let mut tree =
-                Binary::build(&mut boxes, &mut below, Care::HIGH, &mut control).expect("a tree");
+            let mut tree = built(&mut boxes, &mut below);
             let before = total(&mut tree);
             reinsert(&mut tree, &mut vec![0; 700], &mut control).expect("not cancelled");
             let after = total(&mut tree);

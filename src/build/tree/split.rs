@@ -1,5 +1,6 @@
 //! One split: where to cut some boxes in two.
 
+use super::binary::surface;
 use super::item::Item;
 use glam::Vec3A;
 
@@ -41,19 +42,6 @@ impl Part {
             len: self.len + 1,
         };
     }
-
-    /// Half the surface of the box, which is not empty.
-    #[inline(always)]
-    pub fn surface(&self) -> f32 {
-        surface(self.lo, self.hi)
-    }
-}
-
-/// Half the surface of a box.
-#[inline(always)]
-pub fn surface(lo: Vec3A, hi: Vec3A) -> f32 {
-    let side = hi - lo;
-    side.x * side.y + side.y * side.z + side.z * side.x
 }
 
 /// The items whose centres lie in a stretch of an axis: their box.
@@ -124,23 +112,10 @@ impl Binning {
     }
 }
 
-/// How carefully splits are chosen.
-#[derive(Clone, Copy)]
-pub struct Care {
-    /// Items above which only the axis is looked at along which their centres lie farthest
-    /// apart.
-    pub few: usize,
-}
-
-impl Care {
-    pub const NORMAL: Self = Self { few: 32 };
-    pub const HIGH: Self = Self { few: usize::MAX };
-}
-
 /// Cuts the items of a part, more than one, in two that are not empty: at the cheapest border of
-/// bins or, where there is none or no care is taken, in the middle.
-pub fn split(items: &mut [Item], part: &Part, care: Option<Care>, bins: &mut Bins) -> [Part; 2] {
-    match care.and_then(|care| cheapest(items, part, care, bins)) {
+/// bins or, where there is none or it is not to be looked for, in the middle.
+pub fn split(items: &mut [Item], part: &Part, look: bool, bins: &mut Bins) -> [Part; 2] {
+    match look.then(|| cheapest(items, part, bins)).flatten() {
         Some((binning, axis, border)) => apart(items, &binning, axis, border),
         None => {
             let (a, b) = items.split_at(items.len() / 2);
@@ -154,7 +129,6 @@ pub fn split(items: &mut [Item], part: &Part, care: Option<Care>, bins: &mut Bin
 fn cheapest(
     items: &[Item],
     part: &Part,
-    care: Care,
     Bins(filled): &mut Bins,
 ) -> Option<(Binning, usize, usize)> {
     // Fewer bins for fewer items: what is done for a bin would take longer than the items.
@@ -166,25 +140,15 @@ fn cheapest(
     let last = Vec3A::splat(bins as f32 - 0.5);
     let binning = Binning { low: part.first, scale, last };
     let mut best = Best { split: None, cost: f32::INFINITY };
-    if items.len() > care.few {
-        let axis = extent.max_position();
-        let filled = &mut filled[axis][..bins];
-        filled.fill(Bin::EMPTY);
-        for item in items {
-            filled[binning.bins(item)[axis]].add(item);
-        }
-        best.look(filled, axis);
-    } else {
-        filled.iter_mut().for_each(|axis| axis[..bins].fill(Bin::EMPTY));
-        for item in items {
-            let [x, y, z] = binning.bins(item);
-            filled[0][x].add(item);
-            filled[1][y].add(item);
-            filled[2][z].add(item);
-        }
-        for (axis, filled) in filled.iter().enumerate() {
-            best.look(&filled[..bins], axis);
-        }
+    filled.iter_mut().for_each(|axis| axis[..bins].fill(Bin::EMPTY));
+    for item in items {
+        let [x, y, z] = binning.bins(item);
+        filled[0][x].add(item);
+        filled[1][y].add(item);
+        filled[2][z].add(item);
+    }
+    for (axis, filled) in filled.iter().enumerate() {
+        best.look(&filled[..bins], axis);
     }
     best.split.map(|(axis, border)| (binning, axis, border))
 }
