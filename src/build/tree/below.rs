@@ -133,8 +133,9 @@ fn count(best: &[u32], some: &[u32], first: u32) -> Counts {
 const BLOCK: usize = 64;
 
 impl Share<'_> {
-    /// Makes a node of each pair, in the place of the first; what is not joined stays. No branch
-    /// depends on who is joined.
+    /// Makes a node of each pair, in the place of the first; what is not joined stays. Boxes are
+    /// copied before pairs are made of them, whoever is joined, so that their costs are asked for in
+    /// time.
     fn join(&mut self) {
         let (mut made, mut left) = (0, 0);
         let mut pairs = [(0, 0, 0); BLOCK];
