@@ -8,6 +8,10 @@ use crate::arena::layout::EXIT_MAX;
 /// Reach that a voxel with a list may grow to.
 const LISTED_MAX: usize = 7;
 
+/// Whether some columns of row y, z may all be in a block. Not a type of its own for each who asks,
+/// or growing would be in the library twice, ten kilobytes each.
+type Harmless<'a> = &'a dyn Fn(u64, usize, usize) -> bool;
+
 /// A block of voxels from `lo` up to, without, `hi`.
 #[derive(Clone, Copy)]
 pub struct Block {
@@ -45,7 +49,7 @@ struct Growth<'a> {
 impl Grower<'_> {
     /// The box of an empty voxel with a cube of this reach around it.
     pub fn empty(&self, at: [usize; 3], radius: usize) -> Block {
-        self.grow(at, radius, EXIT_MAX as usize, 63, |_, _, _| false)
+        self.grow(at, radius, EXIT_MAX as usize, 63, &|_, _, _| false)
     }
 
     /// The box of a voxel with a list.
@@ -55,7 +59,7 @@ impl Grower<'_> {
         if open == 0 {
             return Block { lo: at, hi: at.map(|x| x + 1) };
         }
-        self.grow(at, 0, LISTED_MAX, open, |columns, y, z| {
+        self.grow(at, 0, LISTED_MAX, open, &|columns, y, z| {
             let columns = columns & self.rows.at(self.masks.place(window, y, z));
             let first = (z * self.n[1] + y) * self.n[0] + at[0];
             self.add_nothing(columns, first.wrapping_sub(window.bit), list)
@@ -114,16 +118,15 @@ impl Grower<'_> {
 
     /// Moves the faces of a block around voxel `at` outward in turns, at first by one
     /// layer, then two, four: no direction starves another. A face that was stopped
-    /// stays so, for its layers only grow; so do those not in `open`. `harmless` says whether some columns of row
-    /// y, z may all be in the block.
-    #[inline(always)]
+    /// stays so, for its layers only grow; so do those not in `open`.
+    #[inline(never)]
     fn grow(
         &self,
         at: [usize; 3],
         radius: usize,
         most: usize,
         open: u32,
-        harmless: impl Fn(u64, usize, usize) -> bool,
+        harmless: Harmless<'_>,
     ) -> Block {
         let lo = at.map(|x| x.saturating_sub(radius));
         let hi = [0, 1, 2].map(|k| (at[k] + radius + 1).min(self.n[k]));
@@ -147,12 +150,12 @@ impl Grower<'_> {
         growth.taken = self.rows.block(growth.place, [hi[1] - lo[1], hi[2] - lo[2]]);
         let mut step = 1;
         while growth.open != 0 {
-            growth.push_x::<0>(step, &harmless);
-            growth.push_x::<1>(step, &harmless);
-            growth.push::<2>(step, &harmless);
-            growth.push::<3>(step, &harmless);
-            growth.push::<4>(step, &harmless);
-            growth.push::<5>(step, &harmless);
+            growth.push_x::<0>(step, harmless);
+            growth.push_x::<1>(step, harmless);
+            growth.push::<2>(step, harmless);
+            growth.push::<3>(step, harmless);
+            growth.push::<4>(step, harmless);
+            growth.push::<5>(step, harmless);
             step *= 2;
         }
         growth.block
@@ -167,11 +170,7 @@ impl Growth<'_> {
     }
 
     #[inline(always)]
-    fn push_x<const FACE: usize>(
-        &mut self,
-        step: usize,
-        harmless: &impl Fn(u64, usize, usize) -> bool,
-    ) {
+    fn push_x<const FACE: usize>(&mut self, step: usize, harmless: Harmless<'_>) {
         let most = step.min(self.left[FACE]);
         if self.open >> FACE & 1 == 0 || most == 0 {
             self.open &= !(1 << FACE);
@@ -208,11 +207,7 @@ impl Growth<'_> {
     }
 
     #[inline(always)]
-    fn push<const FACE: usize>(
-        &mut self,
-        step: usize,
-        harmless: &impl Fn(u64, usize, usize) -> bool,
-    ) {
+    fn push<const FACE: usize>(&mut self, step: usize, harmless: Harmless<'_>) {
         if self.open >> FACE & 1 == 0 {
             return;
         }
