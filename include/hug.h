@@ -32,7 +32,8 @@
 
 /**
  * Build flag: AUTO makes the smallest arena that is still sensible, whatever
- * the quality.
+ * the quality: its grids are the coarsest. Of every structure: a tree of boxes has nodes of 96
+ * bytes in place of 256, with boxes in 8 bits; rays that take it have 0.8 to 0.95 of the speed.
  */
 #define HUG_BUILD_COMPACT 2
 
@@ -53,11 +54,12 @@
 
 /**
  * Build flag, for uniform and recursive grids: a tree of boxes lies beside the grid, for rays
- * on their own. It has some 13 bytes a triangle and takes longer to build than a grid; rays that
- * take it are half as fast again, or twice as fast. Hits are the same. Of 2^28 triangles or
+ * on their own. It has some 10 bytes a triangle and takes longer to build than a grid; rays that
+ * take it are two or three times as fast. Hits are the same. Of 2^28 triangles or
  * more, of fewer than 8, of those that are tiny beside the scene's extent, and of a HUG's, whose
  * triangles lie cluster by cluster, there is none. If quality is HIGH it is built with more
- * care. AUTO builds it with the qualities DEFAULT and HIGH, unless it is to be compact.
+ * care, if the arena is to be compact, it takes a third of the memory. AUTO builds it with the
+ * qualities DEFAULT and HIGH.
  */
 #define HUG_BUILD_TREE 16
 

@@ -48,7 +48,9 @@ fn fresh() -> Vec<(String, Vec<u8>)> {
         tree: true,
         ..hug::Options::default()
     };
+    let compact = hug::Options { compact: true, ..treed };
     all.push(("tree.hug".to_owned(), build(&mesh(), &treed).view().bytes().to_vec()));
+    all.push(("compact.hug".to_owned(), build(&mesh(), &compact).view().bytes().to_vec()));
     all.push(("turned.hug".to_owned(), build(&mesh(), &turned).view().bytes().to_vec()));
     all
 }

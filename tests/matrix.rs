@@ -30,13 +30,14 @@ fn scenes() -> Vec<(&'static str, Mesh, usize)> {
     ]
 }
 
-fn structures() -> [(&'static str, Options); 8] {
+fn structures() -> [(&'static str, Options); 9] {
     let base = Options::default();
     let of = |structure| Options { structure, ..base };
     let hug = of(Structure::Hug);
     let three = Options { filter: Filter::ThreeLevels, hierarchy: Hierarchy::Paper, ..hug };
     [
         ("auto", base),
+        ("auto, compact", Options { compact: true, ..base }),
         ("uniform", of(Structure::Uniform)),
         ("recursive", of(Structure::Recursive)),
         ("HUG", hug),

@@ -23,8 +23,11 @@ fn finer_structures_are_larger() {
     let size = |options| build(&mesh, &options).view().bytes().len();
     let sizes = QUALITIES.map(|quality| size(Options { quality, ..Options::default() }));
     assert!(sizes.is_sorted() && sizes[0] < sizes[2], "{sizes:?}");
-    let compact = size(Options { compact: true, ..Options::default() });
-    assert!(compact < sizes[0], "{compact} {sizes:?}");
+    let compact =
+        QUALITIES.map(|quality| size(Options { quality, compact: true, ..Options::default() }));
+    assert!(compact.iter().zip(sizes).all(|(&compact, size)| compact < size), "{compact:?}");
+    // Less than without a tree.
+    assert!(compact[1] < sizes[0], "{compact:?} {sizes:?}");
 }
 
 #[test]
@@ -41,14 +44,21 @@ fn a_ray_cannot_tell() {
     }
 }
 
+/// Quality is then about the tree alone: none, one, and one built with more care.
 #[test]
 fn compact_is_compact_whatever_the_quality() {
     let mesh = soups::clustered(900);
-    let bytes = |quality| {
+    let [fast, default, high] = QUALITIES.map(|quality| {
         let scene = build(&mesh, &Options { quality, compact: true, ..Options::default() });
-        scene.view().bytes().to_vec()
-    };
-    assert!(QUALITIES.iter().all(|&q| bytes(q) == bytes(Quality::Default)));
+        Stats::of(&scene.view())
+    });
+    let grids =
+        |stats: &Stats| (stats.grid_bytes, stats.voxel_bytes, stats.ref_bytes, stats.total.voxels);
+    assert_eq!(grids(&default), grids(&fast));
+    assert_eq!(grids(&default), grids(&high));
+    assert_eq!(fast.node_bytes, 0);
+    assert!(default.node_bytes > 0 && high.node_bytes > 0);
+    assert!(default.node_bytes < 12 * 900 && high.node_bytes < 12 * 900);
 }
 
 #[test]

@@ -6,9 +6,10 @@
 
 use super::layout::{
     ALIGN, BYTE_ORDER, COVERS, EMPTY, EXIT_BITS, EXIT_MAX, Frame, GRID, GRID_BIT, Grid, Header,
-    LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TREE_UNITS, TURNED, Triangle,
-    VERSION, sections,
+    LIST, LIST_HEAD, MAGIC, MAX_WALKS, PAYLOAD, REF_WORDS, TAG_SHIFT, TURNED, Triangle, VERSION,
+    sections,
 };
+use super::node::{Node, QuantizedNode, TREE_UNITS};
 use super::tree;
 use crate::Error;
 use crate::geometry::MAX_TRIANGLES;
@@ -79,9 +80,14 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let named = |&number: &u32| number == NONE || u64::from(number) < counts.3;
     require(h.occluders.iter().all(named), Error::Reference)?;
     agree(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
-    agree(h.reserved == [0; 6])?;
+    agree(h.reserved == [0; 5] && h.quantized <= 1)?;
     agree(h.nodes.count == 0 || TREE_UNITS.contains(&h.unit))?;
-    tree::check(section(bytes, h.nodes.offset, h.nodes.count)?, counts.3)?;
+    let nodes = h.nodes;
+    if h.quantized == 0 {
+        tree::check::<Node>(section(bytes, nodes.offset, nodes.count)?, counts.3)?;
+    } else {
+        tree::check::<QuantizedNode>(section(bytes, nodes.offset, nodes.count)?, counts.3)?;
+    }
     if grids.is_empty() {
         return agree(voxels.is_empty() && refs.is_empty());
     }

@@ -1,4 +1,4 @@
-//! The bytes of an arena, format version 5.
+//! The bytes of an arena, format version 6.
 //!
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
 //! then the grids, the voxels, the references, the triangles, the frames and the nodes, each
@@ -7,6 +7,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::node::{Node, QuantizedNode};
 use crate::Error;
 use crate::options::MAX_LEVELS;
 use crate::ray::NONE;
@@ -16,7 +17,7 @@ pub const ALIGN: usize = 64;
 /// The first eight bytes of an arena.
 pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
 /// The format's version; any other is refused.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 6;
 /// Reads differently where the byte order is not the writer's.
 pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
@@ -109,7 +110,9 @@ pub struct Header {
     pub frames: Section,
     /// The tree of boxes over all triangles, or nothing.
     pub nodes: Section,
-    pub reserved: [u64; 6],
+    /// 0, or 1 if its nodes are [`QuantizedNode`]s.
+    pub quantized: u64,
+    pub reserved: [u64; 5],
 }
 
 /// A flag of a grid that covers every voxel that refers to it, so that a ray in such a
@@ -178,37 +181,6 @@ pub struct GridLanes<'a> {
     pub n: &'a [u16; 4],
 }
 
-/// Parts of a node.
-pub const PARTS: usize = 8;
-/// A part's word: the number of a node, or of the first triangle of a leaf, times 16, and in
-/// the lower bits the number of triangles or [`NODE`].
-pub const PART_SHIFT: u32 = 4;
-/// In place of a number of triangles: the part is a node.
-pub const NODE: u32 = 15;
-/// Most triangles of a leaf, and fewest of a scene that has a tree.
-pub const LEAF: u32 = 8;
-/// Units of a scene with nodes: what a descent computes then stays in the range of `f32`.
-pub const TREE_UNITS: core::ops::RangeInclusive<f64> =
-    1.0 / (1 << 28) as f64..=(1u128 << 100) as f64;
-/// Most nodes on the way from the first to a leaf.
-pub const MAX_DEPTH: usize = 64;
-
-/// A node of the tree of boxes: up to eight parts, nodes or runs of triangles, by their boxes.
-/// The first node is the root. In the order of nodes, and of their parts' places, nodes from
-/// number 1 on and triangles from number 0 on are named one after the other: so it is a tree, its
-/// nodes are level by level, and each triangle is in one leaf. A part that is not there is a leaf of
-/// no triangles with an inverted box. Four cache lines.
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C, align(64))]
-pub struct Node {
-    /// Lower and upper bounds of the parts along x, then y, then z, from the header's `lower` on
-    /// and times its `unit`.
-    pub bounds: [[f32; PARTS]; 6],
-    /// See [`PART_SHIFT`].
-    pub parts: [u32; PARTS],
-    pub reserved: [u32; PARTS],
-}
-
 /// A triangle, coordinate by coordinate so that one load brings the three
 /// corners' x; ids and mask fill the fourth lanes.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -244,7 +216,8 @@ impl Header {
     /// How many records there are.
     pub fn counts(&self) -> Counts {
         let [grids, voxels, refs, triangles, frames, nodes] = self.sections().map(|s| s.count);
-        Counts { grids, voxels, refs, triangles, frames, nodes }
+        let quantized = self.quantized != 0;
+        Counts { grids, voxels, refs, triangles, frames, nodes, quantized }
     }
 
     /// The sections, in their order.
@@ -269,7 +242,6 @@ impl Header {
 }
 
 const _: () = assert!(size_of::<Header>() == 320);
-const _: () = assert!(size_of::<Node>() == 256);
 const _: () = assert!(size_of::<Grid>() == 64);
 const _: () = assert!(size_of::<Frame>() == 128);
 const _: () = assert!(size_of::<Triangle>() == 48);
@@ -310,6 +282,15 @@ pub struct Counts {
     pub triangles: u64,
     pub frames: u64,
     pub nodes: u64,
+    /// Whether nodes are [`QuantizedNode`]s.
+    pub quantized: bool,
+}
+
+impl Counts {
+    /// Bytes of a node.
+    pub fn node(&self) -> usize {
+        if self.quantized { size_of::<QuantizedNode>() } else { size_of::<Node>() }
+    }
 }
 
 /// Sections of an arena.
@@ -336,7 +317,7 @@ pub fn sections(counts: &Counts) -> Result<([Section; SECTIONS], u64), Error> {
         place(counts.refs, size_of::<u32>())?,
         place(counts.triangles, size_of::<Triangle>())?,
         place(counts.frames, size_of::<Frame>())?,
-        place(counts.nodes, size_of::<Node>())?,
+        place(counts.nodes, counts.node())?,
     ];
     isize::try_from(at).map_err(|_| Error::Overflow)?;
     Ok((sections, at))

@@ -1,6 +1,6 @@
 //! The arena: one flat block that holds a built scene.
 //!
-//! `layout` says what its bytes mean, `check` decides whether untrusted bytes
+//! `layout` says what its bytes mean (`node`: those of the tree of boxes), `check` decides whether untrusted bytes
 //! are an arena (`tree`: whether nodes are a tree), `view` reads one, `block` owns
 //! the memory of one.
 
@@ -8,6 +8,7 @@
 pub(crate) mod block;
 mod check;
 pub(crate) mod layout;
+pub(crate) mod node;
 mod tree;
 mod view;
 

@@ -1,14 +1,14 @@
 //! Deciding whether untrusted nodes are a tree over all triangles.
 //!
-//! Nodes and triangles are named one after the other (`layout::Node`), so that one pass with
+//! Nodes and triangles are named one after the other (`node`), so that one pass with
 //! two counters tells that each has one place, and where each level of the tree ends.
 
-use super::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT};
+use super::node::{AnyNode, LEAF, MAX_DEPTH, NODE, PART_SHIFT};
 use crate::Error;
 
 /// Checks the nodes of an arena of so many triangles. What their boxes say does not matter: any
 /// numbers lead to a part or past it.
-pub fn check(nodes: &[Node], triangles: u64) -> Result<(), Error> {
+pub fn check<N: AnyNode>(nodes: &[N], triangles: u64) -> Result<(), Error> {
     if nodes.is_empty() {
         return Ok(());
     }
@@ -22,10 +22,10 @@ pub fn check(nodes: &[Node], triangles: u64) -> Result<(), Error> {
             (depth, level_end) = (depth + 1, next);
         }
         // Nothing before it has named this node, or the way to it is too long.
-        if number >= next || depth > MAX_DEPTH || node.reserved != [0; 8] {
+        if number >= next || depth > MAX_DEPTH || !node.is_clean() {
             return Err(Error::Corrupt);
         }
-        let mut parts = node.parts;
+        let mut parts = *node.parts();
         parts.sort_unstable();
         for part in parts {
             let (place, count) = (u64::from(part >> PART_SHIFT), part & NODE);

@@ -14,9 +14,9 @@ use core::marker::PhantomData;
 
 use super::check;
 use super::layout::{
-    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, Node, PARTS, PAYLOAD, Section, TAG_SHIFT,
-    Triangle,
+    Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
+use super::node::AnyNode;
 use crate::Error;
 use crate::simd::{Lanes, fpenv};
 
@@ -139,7 +139,8 @@ pub(crate) struct Sections<'a> {
     refs: *const u32,
     triangles: *const Triangle,
     frames: *const Frame,
-    nodes: *const Node,
+    /// Of the kind that the header says.
+    nodes: *const u8,
     marker: PhantomData<&'a [u8]>,
 }
 
@@ -158,25 +159,26 @@ impl<'a> Sections<'a> {
         unsafe { &*self.frames.add(i as usize) }
     }
 
-    /// Node number `i`: 0 of a tree, or from a part of a node.
+    /// Node number `i`: 0 of a tree, or from a part of a node. `N` is what the header says.
     #[inline(always)]
-    pub fn node(&self, i: u32) -> &'a Node {
+    pub fn node<N: AnyNode>(&self, i: u32) -> &'a N {
         // SAFETY: see the module.
-        unsafe { &*self.nodes.add(i as usize) }
+        unsafe { &*self.nodes.cast::<N>().add(i as usize) }
     }
 
     /// A row of the bounds of node number `i`, likewise.
     #[inline(always)]
-    pub fn bounds(&self, i: u32, row: Row) -> &'a [f32; PARTS] {
+    pub fn bounds<N: AnyNode>(&self, i: u32, row: Row<N>) -> &'a N::Row {
         // SAFETY: see the module; a row lies in its node.
-        unsafe { &*self.nodes.add(i as usize).byte_add(row.0).cast() }
+        unsafe { &*self.nodes.cast::<N>().add(i as usize).byte_add(row.0).cast() }
     }
 
-    /// Fetches node number `i`: four lines.
+    /// Fetches node number `i`: its lines, of which there are one more than it fills if it does not
+    /// begin with one.
     #[inline(always)]
-    pub fn fetch_node<L: Lanes>(&self, l: L, i: u32) {
-        let at = self.nodes.wrapping_add(i as usize).cast::<[u8; 64]>();
-        (0..4).for_each(|line| l.prefetch(at.wrapping_add(line)));
+    pub fn fetch_node<N: AnyNode, L: Lanes>(&self, l: L, i: u32) {
+        let at = self.nodes.cast::<N>().wrapping_add(i as usize).cast::<[u8; 64]>();
+        (0..size_of::<N>().div_ceil(64)).for_each(|line| l.prefetch(at.wrapping_add(line)));
     }
 
     /// Fetches most of a leaf that begins with triangle number `i`: four lines.
@@ -281,18 +283,18 @@ impl<'a> Sections<'a> {
 
 /// One of a node's six rows of bounds: how many bytes from its first.
 #[derive(Clone, Copy)]
-pub(crate) struct Row(usize);
+pub(crate) struct Row<N>(usize, PhantomData<N>);
 
-impl Row {
+impl<N: AnyNode> Row<N> {
     /// The lower or the upper bounds along an axis, 0 to 2.
     const fn new(axis: usize, upper: usize) -> Self {
-        Self((2 * axis + upper) * size_of::<[f32; PARTS]>())
+        Self((2 * axis + upper) * size_of::<N::Row>(), PhantomData)
     }
 
     /// For each set of axes, a bit each, the upper bounds along these and the lower along others:
     /// where a ray comes to first that descends on them.
     pub const FIRST: [[Self; 3]; 8] = {
-        let mut rows = [[Self(0); 3]; 8];
+        let mut rows = [[Self::new(0, 0); 3]; 8];
         let mut signs = 0;
         while signs < 8 {
             let mut k = 0;

@@ -46,6 +46,8 @@ pub struct Capacity {
     pub table: usize,
     /// Triangles that a tree of boxes is built over: all or none.
     pub tree: usize,
+    /// Whether its nodes are written in less.
+    pub quantized: bool,
 }
 
 /// Voxels that a grid over `objects` objects can have with `alpha`: rounding
@@ -81,6 +83,7 @@ impl Capacity {
         Self {
             triangles,
             tree: if tree { triangles } else { 0 },
+            quantized: options.compact,
             filtered: if hug { triangles } else { 0 },
             grids: if none { 0 } else { whole(grids) },
             turns: if none || !turned { 0 } else { whole(grids) },
@@ -110,6 +113,7 @@ impl Capacity {
             triangles: self.triangles as u64,
             frames: self.turns as u64,
             nodes: tree::capacity(self.tree) as u64,
+            quantized: self.quantized,
         })?;
         let [nodes, for_nodes, for_triangles] = tree::records(self.tree);
         let all = [

@@ -8,12 +8,14 @@ use super::draft::Draft;
 use super::frame::{self, unit};
 use super::occluders;
 use super::parts::{self, words};
+use super::tree::quantize;
 use crate::Error;
 use crate::arena::layout::{
-    ALIGN, BYTE_ORDER, Counts, Frame, Grid, Header, MAGIC, MAX_WALKS, Node, OCCLUDERS, PAYLOAD,
-    SECTIONS, Section, Triangle, VERSION, sections,
+    ALIGN, BYTE_ORDER, Counts, Frame, Grid, Header, MAGIC, MAX_WALKS, OCCLUDERS, PAYLOAD, SECTIONS,
+    Section, Triangle, VERSION, sections,
 };
-use crate::options::{MAX_LEVELS, Structure};
+use crate::arena::node::{Node, QuantizedNode};
+use crate::options::{MAX_LEVELS, Options, Structure};
 use crate::ray::NONE;
 use crate::simd::fpenv;
 
@@ -26,6 +28,8 @@ pub struct Plan<'s> {
     pub(super) exits: bool,
     pub(super) table: &'s mut [u64],
     pub(super) nodes: &'s [Node],
+    /// Whether nodes are written in less.
+    pub(super) quantized: bool,
     pub(super) sections: [Section; SECTIONS],
     pub(super) bytes: usize,
 }
@@ -33,8 +37,7 @@ pub struct Plan<'s> {
 impl<'s> Plan<'s> {
     pub(super) fn new(
         draft: Draft<'s>,
-        structure: Structure,
-        exits: bool,
+        options: &Options,
         table: &'s mut [u64],
         nodes: &'s [Node],
     ) -> Result<Self, Error> {
@@ -50,6 +53,7 @@ impl<'s> Plan<'s> {
         if refs > u64::from(PAYLOAD) {
             return Err(Error::Limit);
         }
+        let quantized = options.compact && !nodes.is_empty();
         let counts = Counts {
             grids: grids.len() as u64,
             voxels,
@@ -57,10 +61,12 @@ impl<'s> Plan<'s> {
             triangles: triangles as u64,
             frames: frames as u64,
             nodes: nodes.len() as u64,
+            quantized,
         };
         let (sections, bytes) = sections(&counts)?;
         let bytes = bytes as usize;
-        Ok(Self { draft, structure, levels, exits, table, nodes, sections, bytes })
+        let (structure, exits) = (options.structure, options.exit_boxes);
+        Ok(Self { draft, structure, levels, exits, table, nodes, quantized, sections, bytes })
     }
 
     /// Size of the arena that [`Plan::write`] makes, a multiple of 64.
@@ -114,9 +120,14 @@ impl<'s> Plan<'s> {
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
         let frames: &mut [Frame] = bytemuck::cast_slice_mut(section(4, size_of::<Frame>()));
-        let nodes: &mut [Node] = bytemuck::cast_slice_mut(section(5, size_of::<Node>()));
+        if self.quantized {
+            let nodes = bytemuck::cast_slice_mut(section(5, size_of::<QuantizedNode>()));
+            nodes.iter_mut().zip(self.nodes).for_each(|(to, node)| *to = quantize(node));
+        } else {
+            let nodes = bytemuck::cast_slice_mut(section(5, size_of::<Node>()));
+            nodes.copy_from_slice(self.nodes);
+        }
         rest.fill(0);
-        nodes.copy_from_slice(self.nodes);
         control.pass(0.5)?;
         self.draft.copy_triangles(triangles, control)?;
         control.pass(0.95)?;
@@ -164,7 +175,8 @@ impl<'s> Plan<'s> {
             occluders: [NONE; OCCLUDERS],
             frames: self.sections[4],
             nodes: self.sections[5],
-            reserved: [0; 6],
+            quantized: u64::from(self.quantized),
+            reserved: [0; 5],
         }
     }
 }

@@ -52,7 +52,7 @@ pub use flatten::Plan;
 pub use survey::{Clusters, Survey};
 
 use crate::Error;
-use crate::arena::layout::{LEAF, Node};
+use crate::arena::node::{LEAF, Node};
 use crate::geometry::{Geometry, count};
 use crate::options::{Options, Quality, Structure};
 use crate::simd::fpenv;
@@ -145,7 +145,7 @@ pub fn plan_with<'s>(
                 }
             }
         }
-        Plan::new(draft, options.structure, options.exit_boxes, table, nodes)
+        Plan::new(draft, options, table, nodes)
     })
 }
 

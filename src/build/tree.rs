@@ -6,7 +6,7 @@
 //! above (`above`, `split`), which rays find a little better and takes three times as long, and
 //! subtrees are moved to where they cost less (`reinsert`). Either way its nodes become the nodes of
 //! eight parts that cost least (`costs`, `collapse`) or, should these be too many, those of the largest
-//! parts; numbers are given level by level (`numbers`). Should they then be too many still, or too
+//! parts; numbers are given level by level (`numbers`), and compact arenas get them in less (`quantize`). Should they then be too many still, or too
 //! deep, there is no tree.
 //! What is cut into tasks does not depend on who does them, nor does the tree.
 
@@ -19,6 +19,7 @@ mod curve;
 mod item;
 mod near;
 mod numbers;
+mod quantize;
 mod reinsert;
 mod rows;
 mod split;
@@ -28,12 +29,13 @@ use super::frame::unit;
 use super::gather::Soup;
 use super::scratch::Scratch;
 use crate::Error;
-use crate::arena::layout::{MAX_DEPTH, Node, PART_SHIFT, TREE_UNITS};
+use crate::arena::node::{MAX_DEPTH, Node, PART_SHIFT, TREE_UNITS};
 use collapse::Collapse;
 use costs::Costs;
 use curve::{Key, sorted};
 use item::{Frame, Item, items};
 use numbers::{Named, Rest, level};
+pub use quantize::quantize;
 use reinsert::reinsert;
 use rows::{Rows, WORDS};
 

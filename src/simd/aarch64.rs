@@ -240,6 +240,11 @@ impl Lanes for Neon {
         fn store_wide(self, a: Wide, to: &mut [f32; 8]) -> () = vst1q_f32(to.as_mut_ptr(), a);
         fn load_from(self, a: &[f32; 8], at: usize) -> Wide =
             vld1q_f32(a.as_chunks::<4>().0[at / 4 % 2].as_ptr());
+        fn bytes_from(self, a: &[u8; 8], at: usize) -> Wide = {
+            let words = vmovl_u8(vld1_u8(a.as_ptr()));
+            let half = if at == 0 { vget_low_u16(words) } else { vget_high_u16(words) };
+            vcvtq_f32_u32(vmovl_u16(half))
+        };
         fn store_from(self, a: Wide, to: &mut [f32; 8], at: usize) -> () =
             vst1q_f32(to.as_chunks_mut::<4>().0[at / 4 % 2].as_mut_ptr(), a);
         fn truncate_wide(self, a: Wide) -> Wide = vrndq_f32(a);

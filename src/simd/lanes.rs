@@ -157,6 +157,8 @@ pub(crate) trait Lanes: Copy + 'static {
     fn store_wide(self, a: Self::Wide, to: &mut [f32; 8]);
     /// [`Lanes::WIDE`] numbers from `at` on, a multiple of that below 8.
     fn load_from(self, a: &[f32; 8], at: usize) -> Self::Wide;
+    /// The same of bytes, as numbers.
+    fn bytes_from(self, a: &[u8; 8], at: usize) -> Self::Wide;
     /// Writes them there.
     fn store_from(self, a: Self::Wide, to: &mut [f32; 8], at: usize);
     fn splat_wide(self, a: f32) -> Self::Wide;

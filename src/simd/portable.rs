@@ -134,6 +134,8 @@ impl Lanes for Portable {
             core::array::from_fn(|k| if a[k] <= b[k] { x[k] } else { y[k] });
         fn load_from(self, a: &[f32; 8], at: usize) -> [f32; 4] =
             core::array::from_fn(|k| a[(at + k) % 8]);
+        fn bytes_from(self, a: &[u8; 8], at: usize) -> [f32; 4] =
+            core::array::from_fn(|k| f32::from(a[(at + k) % 8]));
         fn div_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] = self.div_f32(a, b);
         fn sub_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] = self.sub_f32(a, b);
         fn mul_wide(self, a: [f32; 4], b: [f32; 4]) -> [f32; 4] = self.mul_f32(a, b);

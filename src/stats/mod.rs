@@ -23,7 +23,7 @@ pub use shape::{GridFrame, GridShape};
 pub use shares::Shares;
 
 use crate::arena::View;
-use crate::arena::layout::{Grid, Node};
+use crate::arena::layout::Grid;
 use crate::options::{MAX_LEVELS, Structure};
 use crate::simd::fpenv;
 
@@ -96,7 +96,7 @@ impl Stats {
             grid_bytes: h.grids.count * size_of::<Grid>() as u64,
             voxel_bytes: h.voxels.count * 4,
             ref_bytes: h.refs.count * 4,
-            node_bytes: h.nodes.count * size_of::<Node>() as u64,
+            node_bytes: h.nodes.count * h.counts().node() as u64,
             total,
             level,
             levels,

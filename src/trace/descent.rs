@@ -15,23 +15,24 @@
 //! are not between 1 / [`FASTEST`] and [`FASTEST`] long. A t rounds by 2 e of it or half the
 //! least denormal, which `unit` makes 2^-50 at most ([`TREE_UNITS`]); 4 e and 2^-40 are allowed.
 
+mod slabs;
+
 use core::marker::PhantomData;
+
+pub(super) use slabs::{Boxes, Start};
 
 use super::query::{Query, decide};
 use super::sieve::{FARTHEST, Sieve};
-use crate::arena::layout::{LEAF, MAX_DEPTH, NODE, Node, PART_SHIFT, PARTS, TREE_UNITS};
-use crate::arena::{Row, Sections, View};
+use crate::arena::node::{LEAF, MAX_DEPTH, NODE, PART_SHIFT, PARTS, TREE_UNITS};
+use crate::arena::{Sections, View};
 use crate::ray::Ray;
 use crate::simd::{Lanes, Room, Stack};
+use slabs::Slabs;
 
 /// Farthest origin along an axis, in units of about the scene's longest side.
 const FAR: f32 = 1024.0;
-/// 16 e.
-const MARGIN: f32 = 1.0 / (1 << 20) as f32;
 /// Longest component of a direction; its reciprocal is the shortest that the longest can be.
 const FASTEST: f32 = (1 << 20) as f32;
-/// 2^-115.
-const LEAST_SPEED: f32 = f32::from_bits((127 - 115) << 23);
 /// Flipped, it lets what is entered at a negative tau come first: where tau 0 is, or before it,
 /// in whatever order.
 const SIGN: u32 = 1 << 31;
@@ -41,8 +42,8 @@ const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;
 // What a ray meets here is near enough to be sieved.
 const _: () = assert!((FAR + 2.0) as f64 / *TREE_UNITS.start() < FARTHEST as f64);
 
-/// A query on its way through the tree.
-pub(super) struct Descent<'a, Q, L: Lanes> {
+/// A query on its way through a tree of nodes of one kind.
+pub(super) struct Descent<'a, Q, N, L: Lanes> {
     lanes: L,
     sections: Sections<'a>,
     ray: &'a Ray,
@@ -53,28 +54,7 @@ pub(super) struct Descent<'a, Q, L: Lanes> {
     unit: f32,
     /// No tau above it is of interest.
     to: f32,
-    query: PhantomData<Q>,
-}
-
-/// A ray as boxes want it, a number for each axis in all lanes.
-#[derive(Clone, Copy)]
-pub(super) struct Slabs<L: Lanes> {
-    pace: [L::Wide; 3],
-    /// Where the ray is at plane 0, as it enters and as it leaves.
-    enter: [L::Wide; 3],
-    leave: [L::Wide; 3],
-    from: L::Wide,
-    /// Which bounds of a node it comes to first, and last.
-    near: [Row; 3],
-    far: [Row; 3],
-}
-
-/// A ray in the tree's coordinates: where it begins, its direction, and the sizes of that.
-#[derive(Clone, Copy)]
-pub(super) struct Start<L: Lanes> {
-    place: L::F32,
-    dir: L::F32,
-    speed: L::F32,
+    query: PhantomData<(Q, N)>,
 }
 
 /// A tau that no parameter that rounds to `limit` or less is above.
@@ -86,7 +66,7 @@ fn beyond(limit: f32, unit: f32) -> f32 {
     tau * ratio + 1.0 / (1u64 << 40) as f32
 }
 
-impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
+impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
     /// That of a ray in a scene with a tree; `None` for one that is to walk, or that cannot hit
     /// anything.
     #[inline(always)]
@@ -126,7 +106,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         if Q::ANY && self.hidden(occluders, query) {
             return;
         }
-        let slabs = Slabs::new(self.lanes, start, -beyond(-self.ray.tmin, self.unit));
+        let slabs = Slabs::<N, L>::new(self.lanes, start, -beyond(-self.ray.tmin, self.unit));
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
         let mut part = NODE;
@@ -134,8 +114,8 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
             while part & NODE == NODE {
                 let number = part >> PART_SHIFT;
                 let (met, entries) = slabs.meet(self.lanes, &self.sections, number, self.to);
-                let node = self.sections.node(number);
-                let Some(next) = self.choose(node, met, entries, &mut waiting) else {
+                let parts = self.sections.node::<N>(number).parts();
+                let Some(next) = self.choose(parts, met, entries, &mut waiting) else {
                     return;
                 };
                 part = next;
@@ -174,7 +154,7 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
     #[inline(always)]
     fn choose(
         &self,
-        node: &Node,
+        parts: &[u32; PARTS],
         mut met: u32,
         entries: [L::Wide; 2],
         waiting: &mut Stack<'_, WAITING>,
@@ -185,29 +165,29 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         let first = met.trailing_zeros() as usize;
         met &= met - 1;
         if met == 0 {
-            return Some(node.parts[first]);
+            return Some(parts[first]);
         }
         if Q::ANY {
             // Any hit will do: what is nearer need not be met first.
             while met != 0 {
                 let i = met.trailing_zeros() as usize;
                 met &= met - 1;
-                waiting.push(self.entry(node, &[f32::NEG_INFINITY; PARTS], i));
+                waiting.push(self.entry(parts, &[f32::NEG_INFINITY; PARTS], i));
             }
-            return Some(node.parts[first]);
+            return Some(parts[first]);
         }
         let entries = &self.array(entries);
-        let mut nearest = self.entry(node, entries, first);
+        let mut nearest = self.entry(parts, entries, first);
         let second = met.trailing_zeros() as usize;
         met &= met - 1;
         let base = waiting.len();
-        let other = self.entry(node, entries, second);
+        let other = self.entry(parts, entries, second);
         waiting.push(nearest.max(other));
         nearest = nearest.min(other);
         while met != 0 {
             let i = met.trailing_zeros() as usize;
             met &= met - 1;
-            let other = self.entry(node, entries, i);
+            let other = self.entry(parts, entries, i);
             waiting.insert(base, nearest.max(other));
             nearest = nearest.min(other);
         }
@@ -226,11 +206,11 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
 
     /// A part that is to wait: where the ray enters it, for the order, and its word.
     #[inline(always)]
-    fn entry(&self, node: &Node, entries: &[f32; PARTS], i: usize) -> u64 {
-        let part = node.parts[i];
+    fn entry(&self, parts: &[u32; PARTS], entries: &[f32; PARTS], i: usize) -> u64 {
+        let part = parts[i];
         let place = part >> PART_SHIFT;
         if part & NODE == NODE {
-            self.sections.fetch_node(self.lanes, place);
+            self.sections.fetch_node::<N, L>(self.lanes, place);
         } else {
             self.sections.fetch_leaf(self.lanes, place);
         }
@@ -316,54 +296,5 @@ impl<'a, Q: Query, L: Lanes> Descent<'a, Q, L> {
         }
         self.to = beyond(limit, self.unit);
         enough
-    }
-}
-
-impl<L: Lanes> Slabs<L> {
-    /// Those of a ray of which no tau below `from` is of interest.
-    #[inline(always)]
-    fn new(l: L, &Start { place, dir, speed }: &Start<L>, from: f32) -> Self {
-        let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
-        let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
-        let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
-        let pace = l.sign_f32(pace, dir);
-        let at = l.minus_f32(l.mul_f32(place, pace));
-        let enter = l.array_f32(l.sub_f32(at, room));
-        let leave = l.array_f32(l.add_f32(at, room));
-        let pace = l.array_f32(pace);
-        let signs = l.signs(dir) as usize;
-        Self {
-            pace: each!(k => l.splat_wide(pace[k])),
-            enter: each!(k => l.splat_wide(enter[k])),
-            leave: each!(k => l.splat_wide(leave[k])),
-            from: l.splat_wide(from),
-            near: Row::FIRST[signs % 8],
-            far: Row::FIRST[!signs % 8],
-        }
-    }
-
-    /// A bit for each part of a node that the ray meets up to `to`, and where it enters these:
-    /// in one wide row, or two.
-    #[inline(always)]
-    fn meet(&self, l: L, sections: &Sections<'_>, node: u32, to: f32) -> (u32, [L::Wide; 2]) {
-        let (met, enter) = self.some(l, sections, node, to, 0);
-        if L::WIDE == PARTS {
-            return (met, [enter, enter]);
-        }
-        let (others, after) = self.some(l, sections, node, to, L::WIDE);
-        (met | others << L::WIDE, [enter, after])
-    }
-
-    /// [`Slabs::meet`] of the parts from `at` on.
-    #[inline(always)]
-    fn some(&self, l: L, sections: &Sections<'_>, node: u32, to: f32, at: usize) -> (u32, L::Wide) {
-        let near = each!(k => l.load_from(sections.bounds(node, self.near[k]), at));
-        let far = each!(k => l.load_from(sections.bounds(node, self.far[k]), at));
-        let enter = each!(k => l.mul_add_wide(near[k], self.pace[k], self.enter[k]));
-        let leave = each!(k => l.mul_add_wide(far[k], self.pace[k], self.leave[k]));
-        let first = l.max_wide(l.max_wide(enter[0], enter[1]), l.max_wide(enter[2], self.from));
-        let last = l.min_wide(leave[0], leave[1]);
-        let last = l.min_wide(last, l.min_wide(leave[2], l.splat_wide(to)));
-        (l.at_most(first, last), first)
     }
 }

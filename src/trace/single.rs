@@ -3,11 +3,12 @@
 use core::marker::PhantomData;
 
 use super::counters::{Count, Counters, Uncounted};
-use super::descent::Descent;
+use super::descent::{Boxes, Descent};
 use super::profile::Profile;
 use super::query::{Any, Closest, Query, meet_visible, usable};
 use super::walk::Walk;
 use crate::arena::View;
+use crate::arena::node::{Node, QuantizedNode};
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv};
 use crate::triangle::Line;
@@ -66,20 +67,20 @@ impl<Q: Query> AnyKernel for Among<'_, Q> {
     }
 }
 
-/// A query of one ray in a scene that has a tree; `None` if the ray is to walk.
-struct Down<'a, Q> {
+/// A query of one ray in a scene that has a tree of such nodes; `None` if the ray is to walk.
+struct Down<'a, Q, N> {
     view: &'a View<'a>,
     ray: &'a Ray,
-    query: PhantomData<Q>,
+    query: PhantomData<(Q, N)>,
 }
 
-impl<Q: Query> AnyKernel for Down<'_, Q> {
+impl<Q: Query, N: Boxes> AnyKernel for Down<'_, Q, N> {
     type Out = Option<Q::Out>;
     const BEST: Isa = Isa::Avx2;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) -> Option<Q::Out> {
         let Self { view, ray, .. } = self;
-        let (mut descent, start) = Descent::<Q, L>::new(lanes, view, ray)?;
+        let (mut descent, start) = Descent::<Q, N, L>::new(lanes, view, ray)?;
         let mut query = Q::new(ray);
         descent.run(&start, view.header().occluders(), &mut query);
         Some(query.found(&view.sections(), ray))
@@ -137,7 +138,11 @@ impl View<'_> {
                 return dispatch(Among::<Q> { view: self, ray, query: PhantomData });
             }
             if self.header().nodes.count > 0 && !C::COUNTS {
-                let down = dispatch(Down::<Q> { view: self, ray, query: PhantomData });
+                let down = if self.header().quantized == 0 {
+                    dispatch(Down::<Q, Node> { view: self, ray, query: PhantomData })
+                } else {
+                    dispatch(Down::<Q, QuantizedNode> { view: self, ray, query: PhantomData })
+                };
                 if let Some(found) = down {
                     return found;
                 }

@@ -20,19 +20,29 @@ pub const TRIANGLES: usize = 80;
 pub const SECTIONS: [usize; 4] = [GRIDS, VOXELS, REFS, TRIANGLES];
 /// Sizes of their records.
 pub const RECORDS: [usize; 4] = [64, 4, 4, 48];
+/// The box of the triangles: three numbers of four bytes, then its other corner.
+pub const LOWER: usize = 112;
 pub const UNIT: usize = 200;
 /// Of the triangles that any-hit queries look at first.
 pub const OCCLUDERS: Range<usize> = 208..240;
 /// A section too, behind the others.
 pub const FRAMES: usize = 240;
 pub const FRAME: usize = 128;
-/// And another; eight-byte words of zeros follow.
+/// And another, whether its records are the small ones; eight-byte words of zeros follow.
 pub const NODES: usize = 256;
-pub const RESERVED: Range<usize> = 272..320;
+pub const QUANTIZED: usize = 272;
+pub const RESERVED: Range<usize> = 280..320;
 pub const NODE: usize = 256;
 /// Places in a node: the words of its eight parts, and eight of zeros.
 pub const PARTS: Range<usize> = 192..224;
 pub const UNUSED: Range<usize> = 224..256;
+/// The same of a small one, and what its bounds are counted in: three numbers of four bytes, and
+/// three bytes.
+pub const QUANTIZED_NODE: usize = 96;
+pub const QUANTIZED_PARTS: Range<usize> = 48..80;
+pub const ORIGIN: usize = 80;
+pub const EXPONENTS: usize = 92;
+pub const QUANTIZED_UNUSED: Range<usize> = 95..96;
 /// In the low bits of a part's word: it is a node, not so many triangles.
 pub const IS_NODE: u32 = 15;
 
@@ -101,7 +111,8 @@ pub fn count(bytes: &[u8], section: usize) -> usize {
 pub fn record(bytes: &[u8], section: usize, number: usize) -> usize {
     let size = match section {
         FRAMES => FRAME,
-        NODES => NODE,
+        NODES if get64(bytes, QUANTIZED) == 0 => NODE,
+        NODES => QUANTIZED_NODE,
         _ => RECORDS[(section - GRIDS) / 16],
     };
     get64(bytes, section) as usize + number * size
@@ -162,7 +173,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
     let mut bytes = Aligned::filled(end, 0);
     bytes[..8].copy_from_slice(b"hug-rt\r\n");
     put32(&mut bytes, BYTE_ORDER, 0x0102_0304);
-    put32(&mut bytes, VERSION, 5);
+    put32(&mut bytes, VERSION, 6);
     put_f64(&mut bytes, UNIT, 1.0);
     put64(&mut bytes, BYTES, end as u64);
     put32(&mut bytes, STRUCTURE, 3);

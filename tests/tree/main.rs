@@ -3,10 +3,12 @@
 #![allow(missing_docs)]
 
 mod any;
+mod bytes;
 #[path = "../common/mod.rs"]
 mod common;
 mod work;
 
+use bytes::{bounds, each_bound, kind, part_at, parts, steps};
 use common::aligned::Aligned;
 use common::layout::*;
 use common::{adversarial_rays, assert_same, build, is_damage, ray};
@@ -43,22 +45,15 @@ fn meshes() -> [(&'static str, Mesh); 4] {
     ]
 }
 
-/// All of them in each of these trees.
-fn built() -> impl Iterator<Item = (&'static str, Mesh, Options)> {
-    let trees = || trees().into_iter();
-    meshes().into_iter().flat_map(move |(name, mesh)| trees().map(move |o| (name, mesh.clone(), o)))
+/// One in less memory.
+fn compact() -> Options {
+    Options { compact: true, ..options() }
 }
 
-/// The parts of all nodes, in order: number of the node, where the word is, what it says.
-fn parts(bytes: &[u8]) -> Vec<(usize, usize, u32)> {
-    let nodes = 0..count(bytes, NODES);
-    nodes
-        .flat_map(|number| {
-            let at = record(bytes, NODES, number);
-            PARTS.step_by(4).map(move |place| (number, at + place))
-        })
-        .map(|(number, at)| (number, at, get32(bytes, at)))
-        .collect()
+/// All of them in each of these trees.
+fn built() -> impl Iterator<Item = (&'static str, Mesh, Options)> {
+    let trees = || trees().into_iter().chain([compact()]);
+    meshes().into_iter().flat_map(move |(name, mesh)| trees().map(move |o| (name, mesh.clone(), o)))
 }
 
 #[test]
@@ -69,6 +64,7 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
         let (mut node, mut triangle) = (1, 0);
         // Of a node by their places.
         let mut parts = parts(bytes);
+        let size = kind(bytes).size as u64;
         parts.sort_unstable_by_key(|&(number, _, word)| (number, word));
         for (_, _, word) in parts {
             let (place, len) = (word >> 4, word & 15);
@@ -83,25 +79,18 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
         }
         assert_eq!(node as usize, count(bytes, NODES), "{name}");
         assert_eq!(triangle as usize, count(bytes, TRIANGLES), "{name}");
-        assert_eq!(Stats::of(&scene.view()).node_bytes, node as u64 * NODE as u64, "{name}");
+        assert_eq!(Stats::of(&scene.view()).node_bytes, u64::from(node) * size, "{name}");
     }
-}
-
-/// The box of a part of a node: lower and upper bound along x, y, z.
-fn bounds(bytes: &[u8], number: usize, part: usize) -> [f32; 6] {
-    let at = record(bytes, NODES, number) + 4 * part;
-    [0, 1, 2, 3, 4, 5].map(|row| f32::from_bits(get32(bytes, at + 32 * row)))
 }
 
 /// Where any hit will do, it is most likely to be in the largest part.
 #[test]
 fn the_largest_part_is_first() {
-    for (name, mesh, options) in built() {
+    for (name, mesh, options) in built().filter(|(.., options)| !options.compact) {
         let scene = build(&mesh, &options);
         let bytes = scene.view().bytes();
         let mut last = (0, f64::INFINITY);
-        for (number, at, word) in parts(bytes) {
-            let part = (at - record(bytes, NODES, number) - PARTS.start) / 4;
+        for (number, part, word) in parts(bytes) {
             let b = bounds(bytes, number, part).map(f64::from);
             let [x, y, z] = [b[1] - b[0], b[3] - b[2], b[5] - b[4]];
             let surface = if word == 0 { -1.0 } else { x * y + y * z + z * x };
@@ -111,39 +100,83 @@ fn the_largest_part_is_first() {
     }
 }
 
+/// The box around the triangles of a part, in the tree's coordinates.
+fn around(bytes: &[u8], word: u32) -> [f64; 6] {
+    let unit = f64::from_bits(get64(bytes, UNIT));
+    let lower = [0, 1, 2].map(|axis| f64::from(f32::from_bits(get32(bytes, LOWER + 4 * axis))));
+    let (place, len) = ((word >> 4) as usize, word & 15);
+    let mut all = [f64::INFINITY, f64::NEG_INFINITY].repeat(3);
+    let mut add = |axis: usize, [lo, hi]: [f64; 2]| {
+        all[2 * axis] = all[2 * axis].min(lo);
+        all[2 * axis + 1] = all[2 * axis + 1].max(hi);
+    };
+    if len == IS_NODE {
+        for part in 0..8 {
+            let below = around(bytes, get32(bytes, part_at(bytes, place, part)));
+            (0..3).for_each(|axis| add(axis, [below[2 * axis], below[2 * axis + 1]]));
+        }
+        return all.try_into().expect("six");
+    }
+    for triangle in place..place + len as usize {
+        let from = record(bytes, TRIANGLES, triangle);
+        for corner in COORDINATES {
+            let axis = corner / 16;
+            let x = f64::from(f32::from_bits(get32(bytes, from + corner)));
+            let x = (x - lower[axis]) * unit;
+            add(axis, [x, x]);
+        }
+    }
+    all.try_into().expect("six")
+}
+
 #[test]
 fn boxes_hold_what_is_in_them() {
     for (name, mesh, options) in built() {
         let scene = build(&mesh, &options);
         let bytes = scene.view().bytes();
-        let unit = f64::from_bits(get64(bytes, UNIT));
-        let lower = scene.view().bounds().0;
-        for (number, at, word) in parts(bytes) {
-            let part = (at - record(bytes, NODES, number) - PARTS.start) / 4;
-            let around = bounds(bytes, number, part);
-            let (place, len) = ((word >> 4) as usize, word & 15);
-            if len == IS_NODE {
-                let mut all = [f32::INFINITY, f32::NEG_INFINITY].repeat(3);
-                for below in (0..8).map(|part| bounds(bytes, place, part)) {
-                    for k in 0..3 {
-                        all[2 * k] = all[2 * k].min(below[2 * k]);
-                        all[2 * k + 1] = all[2 * k + 1].max(below[2 * k + 1]);
-                    }
-                }
-                assert_eq!(all, around, "{name}");
-            } else if len == 0 {
-                assert!((0..3).all(|k| around[2 * k] > around[2 * k + 1]), "{name}");
-            } else {
-                for triangle in place..place + len as usize {
-                    let from = record(bytes, TRIANGLES, triangle);
-                    for corner in COORDINATES {
-                        let axis = corner / 16;
-                        let x = f64::from(f32::from_bits(get32(bytes, from + corner)));
-                        let x = (x - f64::from(lower[axis])) * unit;
-                        let [low, high] = [0, 1].map(|end| f64::from(around[2 * axis + end]));
-                        assert!(low <= x && x <= high, "{name}: {x}");
-                    }
-                }
+        for (number, part, word) in parts(bytes) {
+            let [held, within] = [bounds(bytes, number, part).map(f64::from), around(bytes, word)];
+            for (row, (held, within)) in held.into_iter().zip(within).enumerate() {
+                let held = if row % 2 == 0 { held <= within } else { held >= within };
+                assert!(held, "{name}: node {number}, part {part}");
+            }
+            let inverted = (0..3).all(|k| held[2 * k] > held[2 * k + 1]);
+            assert_eq!(inverted, word == 0, "{name}: node {number}, part {part}");
+        }
+    }
+}
+
+/// Boxes of a compact tree are those of the other, rounded outward by a step or what an `f32` adds to
+/// that; and a step is as short as a byte allows, or a fraction of what a descent allows for.
+#[test]
+fn boxes_in_less_are_nearly_those_in_full() {
+    for (name, mesh) in meshes() {
+        let scenes = [options(), compact()].map(|options| build(&mesh, &options));
+        let [full, less] = scenes.each_ref().map(|scene| scene.view().bytes());
+        assert_eq!(parts(full), parts(less), "{name}");
+        assert!(full.len() > less.len(), "{name}");
+        let mut ends = vec![[f32::INFINITY, f32::NEG_INFINITY].repeat(3); count(full, NODES)];
+        for (number, part, _) in parts(full).into_iter().filter(|&(.., word)| word != 0) {
+            let [small, large] = [full, less].map(|bytes| bounds(bytes, number, part));
+            for row in 0..6 {
+                let [_, step] = steps(less, number, row / 2);
+                let end = &mut ends[number][row];
+                let outward = if row % 2 == 0 {
+                    *end = end.min(small[row]);
+                    small[row] - large[row]
+                } else {
+                    *end = end.max(small[row]);
+                    large[row] - small[row]
+                };
+                assert!((0.0..2.0 * step).contains(&outward), "{name}: {outward} of {step}");
+            }
+        }
+        for (number, ends) in ends.iter().enumerate() {
+            for axis in 0..3 {
+                let [_, step] = steps(less, number, axis);
+                let side = f64::from(ends[2 * axis + 1]) - f64::from(ends[2 * axis]);
+                let least = 1.0 / f64::from(1 << 24);
+                assert!(f64::from(step) < (side / 127.0).max(1.5 * least), "{name}: {side}");
             }
         }
     }
@@ -156,7 +189,7 @@ fn what_has_a_tree() {
     assert!(nodes(&Options::default()) > 0);
     assert!(nodes(&Options { quality: Quality::High, ..Options::default() }) > 0);
     assert_eq!(nodes(&Options { quality: Quality::Fast, ..Options::default() }), 0);
-    assert_eq!(nodes(&Options { compact: true, ..Options::default() }), 0);
+    assert!(nodes(&Options { compact: true, ..Options::default() }) > 0);
     for structure in [Structure::Uniform, Structure::Recursive] {
         assert_eq!(nodes(&Options { structure, ..Options::default() }), 0);
         assert!(nodes(&Options { structure, ..options() }) > 0);
@@ -207,15 +240,10 @@ fn rays_that_walk() {
 fn who_takes_the_tree() {
     let mesh = soups::clustered(500);
     let mut forged = Aligned::copy(build(&mesh, &options()).view().bytes());
-    for number in 0..count(&forged, NODES) {
-        for row in 0..6 {
-            let never = if row % 2 == 0 { f32::INFINITY } else { f32::NEG_INFINITY };
-            for part in 0..8 {
-                let at = record(&forged, NODES, number) + 32 * row + 4 * part;
-                put32(&mut forged, at, never.to_bits());
-            }
-        }
-    }
+    each_bound(&mut forged, |bound, end| {
+        let never = [f32::INFINITY, f32::NEG_INFINITY][end];
+        bound.copy_from_slice(&never.to_le_bytes());
+    });
     let view = View::open(&forged).expect("bounds are not checked");
     let (mut hits, mut rays) = ([0; 3], Vec::new());
     for (_, one) in adversarial_rays(&mesh, 7, 50) {
@@ -250,11 +278,12 @@ fn refused(bytes: &Aligned, at: usize, wrong: u32) {
 
 #[test]
 fn damaged_parts_are_found() {
-    for (_, mesh) in meshes() {
-        let bytes = Aligned::copy(build(&mesh, &options()).view().bytes());
+    for ((_, mesh), options) in meshes().into_iter().zip([options(), compact()].repeat(2)) {
+        let bytes = Aligned::copy(build(&mesh, &options).view().bytes());
         assert_eq!(View::open(&bytes).err(), None);
         let (nodes, triangles) = (count(&bytes, NODES) as u32, count(&bytes, TRIANGLES) as u32);
-        for (number, at, word) in parts(&bytes) {
+        for (number, part, word) in parts(&bytes) {
+            let at = part_at(&bytes, number, part);
             let (place, len) = (word >> 4, word & 15);
             for wrong in 0..=15 {
                 refused(&bytes, at, place << 4 | wrong);
@@ -267,27 +296,44 @@ fn damaged_parts_are_found() {
             refused(&bytes, at, u32::MAX);
         }
         for number in 0..nodes as usize {
-            for place in UNUSED.step_by(4) {
-                refused(&bytes, record(&bytes, NODES, number) + place, 1);
+            for place in kind(&bytes).unused {
+                let mut damaged = bytes.clone();
+                damaged[record(&bytes, NODES, number) + place] = 1;
+                assert_eq!(View::open(&damaged).err(), Some(Error::Corrupt));
             }
         }
         for place in RESERVED.step_by(4) {
             refused(&bytes, place, 1);
         }
-        // Bounds may be anything: every query still ends, and reads nothing else.
-        for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0] {
-            let mut forged = bytes.clone();
-            for number in 0..nodes as usize {
-                for place in (0..PARTS.start).step_by(4) {
-                    let at = record(&forged, NODES, number) + place;
-                    put32(&mut forged, at, wrong.to_bits());
-                }
+        // The other kind of nodes, and one that there is not.
+        for wrong in (0..3).chain([u32::MAX]) {
+            refused(&bytes, QUANTIZED, wrong);
+            refused(&bytes, QUANTIZED + 4, wrong);
+        }
+        bounds_may_be_anything(&mesh, &bytes);
+    }
+}
+
+/// Every query still ends, and reads nothing else.
+fn bounds_may_be_anything(mesh: &Mesh, bytes: &Aligned) {
+    for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, f32::from_bits(0x0102_0304)] {
+        let mut forged = bytes.clone();
+        each_bound(&mut forged, |bound, end| {
+            let bits = wrong.to_le_bytes();
+            bound.copy_from_slice(&bits[..bound.len()]);
+            bound[0] = bound[0].wrapping_add(end as u8);
+        });
+        if kind(bytes).bound == 1 {
+            for number in 0..count(bytes, NODES) {
+                let at = record(bytes, NODES, number);
+                (0..3).for_each(|axis| put_f32(&mut forged, at + ORIGIN + 4 * axis, wrong));
+                forged[at + EXPONENTS..][..3].fill(wrong.to_le_bytes()[3] << 1);
             }
-            let view = View::open(&forged).expect("bounds are not checked");
-            for (_, one) in adversarial_rays(&mesh, 6, 50) {
-                let one = ray(&one);
-                std::hint::black_box((view.intersect(&one), view.occluded(&one)));
-            }
+        }
+        let view = View::open(&forged).expect("bounds are not checked");
+        for (_, one) in adversarial_rays(mesh, 6, 50) {
+            let one = ray(&one);
+            std::hint::black_box((view.intersect(&one), view.occluded(&one)));
         }
     }
 }

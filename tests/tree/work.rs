@@ -74,8 +74,7 @@ fn care_costs_less() {
             let scene = build(&mesh, &options);
             let bytes = scene.view().bytes();
             let mut cost = 0.0;
-            for (number, at, word) in parts(bytes) {
-                let part = (at - record(bytes, NODES, number) - PARTS.start) / 4;
+            for (number, part, word) in parts(bytes) {
                 let b = bounds(bytes, number, part).map(f64::from);
                 let [x, y, z] = [b[1] - b[0], b[3] - b[2], b[5] - b[4]];
                 // In instructions.

@@ -4,7 +4,7 @@
 use super::binary::{Binary, NONE};
 use super::costs::{Costs, cheapest, joined, of_triangle};
 use crate::Error;
-use crate::arena::layout::{LEAF, Node, PARTS};
+use crate::arena::node::{LEAF, Node, PARTS};
 use crate::build::control::Control;
 
 /// The costs of all nodes of a binary tree.

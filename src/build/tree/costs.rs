@@ -1,6 +1,6 @@
 //! What it costs to meet what is below a box, as so many parts of a node.
 
-use crate::arena::layout::{LEAF, PARTS};
+use crate::arena::node::{LEAF, PARTS};
 
 /// What it costs to meet a node, a leaf and each triangle of it, in instructions.
 pub const OF_NODE: f32 = 67.0;

@@ -3,7 +3,7 @@
 use super::MARGIN;
 use super::collapse::Collapse;
 use crate::Error;
-use crate::arena::layout::{LEAF, NODE, Node, PART_SHIFT, PARTS};
+use crate::arena::node::{LEAF, NODE, Node, PART_SHIFT, PARTS};
 use crate::build::control::{Control, TASKS, parts};
 use crate::build::scratch::cut;
 

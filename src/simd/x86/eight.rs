@@ -96,6 +96,13 @@ macro_rules! eight_lanes {
             self.load_wide(a)
         }
         #[inline(always)]
+        fn bytes_from(self, a: &[u8; 8], _: usize) -> __m256 {
+            with!({
+                let bytes = _mm_loadl_epi64(a.as_ptr().cast());
+                _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes))
+            })
+        }
+        #[inline(always)]
         fn store_from(self, a: __m256, to: &mut [f32; 8], _: usize) {
             self.store_wide(a, to);
         }

@@ -1,0 +1,130 @@
+//! A ray and the boxes of a node's parts: which it meets, and where it enters them.
+
+use crate::arena::node::{AnyNode, Node, PARTS, QuantizedNode};
+use crate::arena::{Row, Sections};
+use crate::simd::Lanes;
+
+/// 16 e ([`super`]).
+const MARGIN: f32 = 1.0 / (1 << 20) as f32;
+/// 2^-115.
+const LEAST_SPEED: f32 = f32::from_bits((127 - 115) << 23);
+
+/// Nodes whose boxes a descent can read.
+pub trait Boxes: AnyNode {
+    /// Two rows along each axis of the bounds of a node's parts, those from `at` on.
+    fn bounds<L: Lanes>(
+        l: L,
+        sections: &Sections<'_>,
+        node: u32,
+        rows: [&[Row<Self>; 3]; 2],
+        at: usize,
+    ) -> [[L::Wide; 3]; 2];
+}
+
+impl Boxes for Node {
+    #[inline(always)]
+    fn bounds<L: Lanes>(
+        l: L,
+        sections: &Sections<'_>,
+        node: u32,
+        [near, far]: [&[Row<Self>; 3]; 2],
+        at: usize,
+    ) -> [[L::Wide; 3]; 2] {
+        [
+            each!(k => l.load_from(sections.bounds(node, near[k]), at)),
+            each!(k => l.load_from(sections.bounds(node, far[k]), at)),
+        ]
+    }
+}
+
+impl Boxes for QuantizedNode {
+    /// So many steps are an `f32`, so that it is one rounding to the same number on every processor,
+    /// that of the build.
+    #[inline(always)]
+    fn bounds<L: Lanes>(
+        l: L,
+        sections: &Sections<'_>,
+        node: u32,
+        [near, far]: [&[Row<Self>; 3]; 2],
+        at: usize,
+    ) -> [[L::Wide; 3]; 2] {
+        let known = sections.node::<Self>(node);
+        let step = each!(k => l.splat_wide(known.step(k)));
+        let origin = each!(k => l.splat_wide(known.origin[k]));
+        let near = each!(k => l.bytes_from(sections.bounds(node, near[k]), at));
+        let far = each!(k => l.bytes_from(sections.bounds(node, far[k]), at));
+        [
+            each!(k => l.mul_add_wide(near[k], step[k], origin[k])),
+            each!(k => l.mul_add_wide(far[k], step[k], origin[k])),
+        ]
+    }
+}
+
+/// A ray as boxes want it, a number for each axis in all lanes.
+#[derive(Clone, Copy)]
+pub struct Slabs<N, L: Lanes> {
+    pace: [L::Wide; 3],
+    /// Where the ray is at plane 0, as it enters and as it leaves.
+    enter: [L::Wide; 3],
+    leave: [L::Wide; 3],
+    from: L::Wide,
+    /// Which bounds of a node it comes to first, and last.
+    near: [Row<N>; 3],
+    far: [Row<N>; 3],
+}
+
+/// A ray in the tree's coordinates: where it begins, its direction, and the sizes of that.
+#[derive(Clone, Copy)]
+pub struct Start<L: Lanes> {
+    pub place: L::F32,
+    pub dir: L::F32,
+    pub speed: L::F32,
+}
+
+impl<N: Boxes, L: Lanes> Slabs<N, L> {
+    /// Those of a ray of which no tau below `from` is of interest.
+    #[inline(always)]
+    pub fn new(l: L, &Start { place, dir, speed }: &Start<L>, from: f32) -> Self {
+        let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
+        let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
+        let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
+        let pace = l.sign_f32(pace, dir);
+        let at = l.minus_f32(l.mul_f32(place, pace));
+        let enter = l.array_f32(l.sub_f32(at, room));
+        let leave = l.array_f32(l.add_f32(at, room));
+        let pace = l.array_f32(pace);
+        let signs = l.signs(dir) as usize;
+        Self {
+            pace: each!(k => l.splat_wide(pace[k])),
+            enter: each!(k => l.splat_wide(enter[k])),
+            leave: each!(k => l.splat_wide(leave[k])),
+            from: l.splat_wide(from),
+            near: Row::<N>::FIRST[signs % 8],
+            far: Row::<N>::FIRST[!signs % 8],
+        }
+    }
+
+    /// A bit for each part of a node that the ray meets up to `to`, and where it enters these:
+    /// in one wide row, or two.
+    #[inline(always)]
+    pub fn meet(&self, l: L, sections: &Sections<'_>, node: u32, to: f32) -> (u32, [L::Wide; 2]) {
+        let (met, enter) = self.some(l, sections, node, to, 0);
+        if L::WIDE == PARTS {
+            return (met, [enter, enter]);
+        }
+        let (others, after) = self.some(l, sections, node, to, L::WIDE);
+        (met | others << L::WIDE, [enter, after])
+    }
+
+    /// [`Slabs::meet`] of the parts from `at` on.
+    #[inline(always)]
+    fn some(&self, l: L, sections: &Sections<'_>, node: u32, to: f32, at: usize) -> (u32, L::Wide) {
+        let [near, far] = N::bounds(l, sections, node, [&self.near, &self.far], at);
+        let enter = each!(k => l.mul_add_wide(near[k], self.pace[k], self.enter[k]));
+        let leave = each!(k => l.mul_add_wide(far[k], self.pace[k], self.leave[k]));
+        let first = l.max_wide(l.max_wide(enter[0], enter[1]), l.max_wide(enter[2], self.from));
+        let last = l.min_wide(leave[0], leave[1]);
+        let last = l.min_wide(last, l.min_wide(leave[2], l.splat_wide(to)));
+        (l.at_most(first, last), first)
+    }
+}
