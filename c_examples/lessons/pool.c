@@ -1,5 +1,19 @@
 #define _DEFAULT_SOURCE
 #include "lessons/pool.h"
+#include <sched.h>
+
+/* How often a thread looks before it sleeps: a build's loops follow one another within less
+ * than it takes to wake up. */
+enum { LOOKS = 200 };
+
+/* Called and left with the lock held; meanwhile what is looked at may change. */
+static void look(pool *p, const size_t *at, size_t seen)
+{
+    pthread_mutex_unlock(&p->lock);
+    for (int i = 0; i < LOOKS && __atomic_load_n(at, __ATOMIC_RELAXED) == seen; i++)
+        sched_yield();
+    pthread_mutex_lock(&p->lock);
+}
 
 /* Takes indices until there are none left; called and left with the lock held. */
 static void share(pool *p)
@@ -12,7 +26,7 @@ static void share(pool *p)
         pthread_mutex_unlock(&p->lock);
         task(context, index);
         pthread_mutex_lock(&p->lock);
-        p->running--;
+        __atomic_store_n(&p->running, p->running - 1, __ATOMIC_RELAXED);
     }
     if (p->running == 0)
         pthread_cond_broadcast(&p->done);
@@ -25,6 +39,8 @@ static void *serve(void *of)
     while (!p->end) {
         share(p);
         if (!p->end && p->next >= p->count)
+            look(p, &p->loops, p->loops);
+        if (!p->end && p->next >= p->count)
             pthread_cond_wait(&p->work, &p->lock);
     }
     pthread_mutex_unlock(&p->lock);
@@ -34,7 +50,7 @@ static void *serve(void *of)
 unsigned pool_start(pool *p, unsigned threads)
 {
     p->started = 0;
-    p->next = p->count = p->running = 0;
+    p->next = p->count = p->running = p->loops = 0;
     p->end = 0;
     pthread_mutex_init(&p->lock, NULL);
     pthread_cond_init(&p->work, NULL);
@@ -66,8 +82,11 @@ void pool_run(void *of, size_t count, pool_task task, void *context)
     p->context = context;
     p->next = 0;
     p->count = count;
+    __atomic_store_n(&p->loops, p->loops + 1, __ATOMIC_RELAXED);
     pthread_cond_broadcast(&p->work);
     share(p);
+    if (p->running > 0)
+        look(p, &p->running, p->running);
     while (p->running > 0)
         pthread_cond_wait(&p->done, &p->lock);
     p->count = 0;

@@ -17,6 +17,7 @@ typedef struct {
     pool_task task;
     void *context;
     size_t next, count, running;
+    size_t loops; /* so far */
     int end;
 } pool;
 

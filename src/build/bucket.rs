@@ -8,6 +8,7 @@ use super::draft::{Crowded, Span};
 use super::footprint::Near;
 use super::frame::Grid;
 use super::overlap::{Range, voxels};
+use super::turn::{Turn, place};
 use crate::Error;
 use crate::arena::layout::{GRID_BIT, Triangle};
 
@@ -33,31 +34,51 @@ impl Notes<'_> {
     }
 }
 
-/// Objects, as a grid sees them.
-pub struct Finder<'a, T, P> {
-    grid: &'a Grid,
-    near: Option<Near>,
-    triangle: T,
-    place: P,
+/// What objects are: triangles and, marked, grids.
+#[derive(Clone, Copy)]
+pub struct Shapes<'a> {
+    pub soup: &'a [Triangle],
+    /// Triangles' numbers are places in this order of the soup, or in the soup.
+    pub order: Option<&'a [u32]>,
+    /// How the grid is turned that they are put into.
+    pub turn: Option<&'a Turn>,
+    pub grids: &'a [Grid],
+    pub turns: &'a [Turn],
 }
 
-impl<'a, T: Fn(u32) -> Triangle, P: Fn(usize) -> [[f64; 3]; 2]> Finder<'a, T, P> {
-    /// Of triangles and of grids below, whose boxes are where `place` says.
-    pub fn new(grid: &'a Grid, triangle: T, place: P) -> Self {
-        Self { grid, near: Near::new(grid), triangle, place }
+impl Shapes<'_> {
+    #[inline(always)]
+    fn triangle(&self, object: u32) -> Triangle {
+        let number = self.order.map_or(object, |order| order[object as usize]);
+        let triangle = &self.soup[number as usize];
+        self.turn.map_or(*triangle, |turn| turn.local(triangle))
+    }
+}
+
+/// Objects, as a grid sees them.
+pub struct Finder<'a> {
+    grid: &'a Grid,
+    near: Option<Near>,
+    shapes: Shapes<'a>,
+}
+
+impl<'a> Finder<'a> {
+    pub fn new(grid: &'a Grid, shapes: Shapes<'a>) -> Self {
+        Self { grid, near: Near::new(grid), shapes }
     }
 
     /// Notes at the start of `stream`, as far as there is room, how many voxels an object
     /// meets, and these, ascending. Returns their number, and how many rows of voxels were
     /// looked at.
-    #[inline(always)]
+    #[inline(never)]
     pub fn note(&self, object: u32, stream: &mut [u32]) -> [usize; 2] {
         let mut none = 0;
         let (head, list) = stream.split_first_mut().unwrap_or((&mut none, &mut []));
         let noted = if object & GRID_BIT == 0 {
-            voxels(&(self.triangle)(object), self.grid, self.near.as_ref(), list)
+            voxels(&self.shapes.triangle(object), self.grid, self.near.as_ref(), list)
         } else {
-            let [lo, hi] = (self.place)((object & !GRID_BIT) as usize);
+            let Shapes { grids, turns, .. } = self.shapes;
+            let [lo, hi] = place(grids, turns, (object & !GRID_BIT) as usize);
             Range::of(self.grid, lo, hi).map_or([0, 1], |range| {
                 let mut list = list.iter_mut();
                 range.each(self.grid, |voxel| {
@@ -74,15 +95,14 @@ impl<'a, T: Fn(u32) -> Triangle, P: Fn(usize) -> [[f64; 3]; 2]> Finder<'a, T, P>
 }
 
 /// Notes which voxels of `grid` objects meet, and how many there are for each voxel. The
-/// grid is made coarser where it would have too many references. `triangle` and `place`: as
-/// for [`Finder::new`]. `tick` is told of work, and of how many objects were looked at.
+/// grid is made coarser where it would have too many references. `tick` is told of work, and of how many objects were looked at.
 ///
 /// # Errors
 /// [`Error::Limit`] if `notes` have too little room; those of `tick`.
 pub fn find(
     grid: &mut Grid,
     objects: &[u32],
-    (triangle, place): (impl Fn(u32) -> Triangle, impl Fn(usize) -> [[f64; 3]; 2]),
+    shapes: Shapes<'_>,
     Notes { spans, stream, starts }: Notes<'_>,
     (max_refs, crowded): (u32, Crowded),
     mut tick: impl FnMut(usize, usize) -> Result<(), Error>,
@@ -92,7 +112,7 @@ pub fn find(
     // references.
     let work = if crowded == Crowded::Fail { usize::MAX } else { budget.saturating_mul(4) };
     loop {
-        let finder = Finder::new(grid, &triangle, &place);
+        let finder = Finder::new(grid, shapes);
         let spans = spans.get_mut(..grid.voxels() as usize).ok_or(Error::Limit)?;
         spans.fill(EMPTY);
         tick(spans.len(), 0)?;

@@ -37,6 +37,12 @@ pub struct Task<'a> {
 }
 
 impl Task<'_> {
+    /// Tasks of nothing. Not part of each who fills them.
+    #[inline(never)]
+    fn none() -> [Self; TASKS] {
+        [const { Self { work: None, done: false } }; TASKS]
+    }
+
     /// Does the part, on this thread. Again, it does nothing.
     pub fn run(&mut self) {
         if let Some(work) = self.work.take() {
@@ -170,12 +176,12 @@ impl<'a> Control<'a> {
         parts: &mut [Option<T>],
         work: impl Fn(&mut T) + Sync,
     ) -> Result<(), Error> {
-        let mut items = parts.iter_mut().flatten();
-        let mut items = self::parts(|| items.next().map(|item| Part { item, work: &work }));
-        let mut tasks = [const { Task { work: None, done: false } }; TASKS];
+        let mut items = [const { None }; TASKS];
+        let mut tasks = Task::none();
         let mut count = 0;
-        for (task, item) in tasks.iter_mut().zip(items.iter_mut().flatten()) {
-            task.work = Some(item);
+        let parts = parts.iter_mut().flatten();
+        for (item, room) in parts.zip(&mut items) {
+            tasks[count].work = Some(room.insert(Part { item, work: &work }));
             count += 1;
         }
         self.run(&mut tasks[..count])

@@ -5,7 +5,7 @@
 //! those of the grids below, are in order without being sorted.
 
 use super::arrangement::Objects;
-use super::bucket::{self, Lists, Notes, find, find_in_tasks, total};
+use super::bucket::{self, Lists, Notes, Shapes, find, find_in_tasks, total};
 use super::capacity::Capacity;
 use super::control::Control;
 use super::frame::{Grid, Rule};
@@ -42,7 +42,7 @@ pub struct Draft<'s> {
     /// Whether triangles are numbered as they come.
     ordered: bool,
     /// Room for what the bucket sort notes of each triangle.
-    notes: [&'s mut [u32]; 2],
+    pub(super) notes: [&'s mut [u32]; 2],
     pub(super) grid_memory: &'s mut [Grid],
     /// How turned grids are turned, by number, if there can be such.
     turns: &'s mut [Turn],
@@ -211,16 +211,13 @@ impl<'s> Draft<'s> {
         let mut grid = Grid { first: self.spans as u32, ..self.grid_memory[number] };
         let grids = &self.grid_memory[..self.grids];
         let turn = turns.get(number).filter(|_| grid.is_turned());
-        let triangle = |object: u32| soup.triangles[object as usize];
+        let shapes = Shapes { soup: soup.triangles, order: None, turn, grids, turns };
         let mut notes = Notes { spans, stream: self.stream, starts };
         let alike = turn.is_none() && triangles == objects.len();
-        if !(alike && find_in_tasks(&grid, objects, triangle, &mut notes, self.max_refs, control)?)
-        {
-            let seen = |object| turn.map_or(triangle(object), |turn| turn.local(&triangle(object)));
-            let place = |number| place(grids, turns, number);
+        if !(alike && find_in_tasks(&grid, objects, shapes, &mut notes, self.max_refs, control)?) {
             let limits = (self.max_refs, crowded);
             let tick = |work, seen| control.tick(work, seen, objects.len());
-            find(&mut grid, objects, (seen, place), notes.again(), limits, tick)?;
+            find(&mut grid, objects, shapes, notes.again(), limits, tick)?;
         }
         self.grid_memory[number] = grid;
         let Notes { spans, stream, starts } = notes;

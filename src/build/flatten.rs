@@ -147,7 +147,7 @@ impl<'s> Plan<'s> {
         if grids.first().is_some_and(|g| u64::from(g.walks) > MAX_WALKS * grids.len() as u64) {
             return Err(Error::Limit);
         }
-        head.occluders = occluders::choose(triangles, &self.draft.soup.bounds);
+        head.occluders = occluders::choose(triangles, &self.draft.soup.bounds, control)?;
         head.objects =
             counts::objects(grids, (voxels, refs), triangles.len(), self.draft.spare(), control)?;
         control.at(1, 1)

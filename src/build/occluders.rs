@@ -8,6 +8,8 @@
 //! segments not yet stopped. If together they stop too few, there are none. Cost: a look
 //! at each triangle, and `CANDIDATES` times `SEGMENTS` tests at most.
 
+use super::control::{Control, TASKS, parts};
+use crate::Error;
 use crate::aabb::Aabb;
 use crate::arena::layout::{OCCLUDERS, Triangle};
 use crate::ray::NONE;
@@ -22,6 +24,13 @@ const STRIDE: usize = 16;
 const FEW: usize = 128;
 /// One in so many segments has to be stopped, or a look is not worth its time.
 const WORTH: u32 = 4;
+
+/// Triangles of a task.
+const SHARE: usize = 4096;
+
+/// A triangle: its area, or twice that squared while others are looked for, and its number.
+type Large = (f64, u32);
+const NOBODY: [Large; CANDIDATES] = [(-1.0, NONE); CANDIDATES];
 
 /// A set of segments.
 #[derive(Clone, Copy)]
@@ -49,12 +58,23 @@ impl Set {
 }
 
 /// The occluders of an arena's triangles: their numbers, then `NONE`.
-pub fn choose(triangles: &[Triangle], bounds: &Aabb) -> [u32; OCCLUDERS] {
-    let mut chosen = [NONE; OCCLUDERS];
+pub fn choose(
+    triangles: &[Triangle],
+    bounds: &Aabb,
+    control: &Control<'_>,
+) -> Result<[u32; OCCLUDERS], Error> {
     if triangles.len() < FEW {
-        return chosen;
+        return Ok([NONE; OCCLUDERS]);
     }
-    let candidates = largest(triangles);
+    Ok(of_largest(triangles, bounds, &largest(triangles, control)?))
+}
+
+fn of_largest(
+    triangles: &[Triangle],
+    bounds: &Aabb,
+    candidates: &[Large; CANDIDATES],
+) -> [u32; OCCLUDERS] {
+    let mut chosen = [NONE; OCCLUDERS];
     let [x, y, z] = (DVec3::from(bounds.hi.map(f64::from)) - lower(bounds)).to_array();
     // A line that meets a convex body meets a part of its surface of half the area, on
     // average, in proportion to that.
@@ -67,7 +87,7 @@ pub fn choose(triangles: &[Triangle], bounds: &Aabb) -> [u32; OCCLUDERS] {
     for i in 0..segments {
         let from = centroid(&triangles[i * triangles.len() / segments]);
         let way = target(i, bounds) - from;
-        for (stops, &(_, number)) in stops.iter_mut().zip(&candidates) {
+        for (stops, &(_, number)) in stops.iter_mut().zip(candidates) {
             if in_the_way(&triangles[number as usize], from, way) {
                 stops.insert(i);
             }
@@ -89,19 +109,31 @@ pub fn choose(triangles: &[Triangle], bounds: &Aabb) -> [u32; OCCLUDERS] {
     chosen
 }
 
-/// The largest triangles, largest first, ties by number: area and number.
-fn largest(triangles: &[Triangle]) -> [(f64, u32); CANDIDATES] {
-    let mut best = [(-1.0, NONE); CANDIDATES];
-    for (number, triangle) in (0..).zip(triangles) {
-        let [a, b, c] = corners(triangle);
-        let twice = (b - a).cross(c - a).length_squared();
-        if twice > best[CANDIDATES - 1].0 {
-            let at = best.partition_point(|&(other, _)| other >= twice);
-            best[at..].rotate_right(1);
-            best[at] = (twice, number);
+/// The largest triangles, largest first, ties by number.
+fn largest(triangles: &[Triangle], control: &Control<'_>) -> Result<[Large; CANDIDATES], Error> {
+    let share = SHARE.max(triangles.len().div_ceil(TASKS));
+    let mut some = triangles.chunks(share).zip((0..).step_by(share));
+    let mut tasks = parts(|| some.next().map(|(some, first)| (some, first, NOBODY)));
+    control.each(&mut tasks, |(some, first, best)| {
+        for (number, triangle) in (*first..).zip(*some) {
+            let [a, b, c] = corners(triangle);
+            keep(best, ((b - a).cross(c - a).length_squared(), number));
         }
+    })?;
+    let mut best = NOBODY;
+    for (.., some) in tasks.iter().flatten() {
+        some.iter().for_each(|&large| keep(&mut best, large));
     }
-    best.map(|(twice, number)| (0.5 * crate::math::sqrt(twice), number))
+    Ok(best.map(|(twice, number)| (0.5 * crate::math::sqrt(twice), number)))
+}
+
+/// Puts a triangle among the largest of those that came before it, if it is.
+fn keep(best: &mut [Large; CANDIDATES], large: Large) {
+    if large.0 > best[CANDIDATES - 1].0 {
+        let at = best.partition_point(|&(other, _)| other >= large.0);
+        best[at..].rotate_right(1);
+        best[at] = large;
+    }
 }
 
 fn corners(triangle: &Triangle) -> [DVec3; 3] {
@@ -161,10 +193,14 @@ mod tests {
         (all, Aabb { lo: [0.0; 3], hi: [9.1; 3] })
     }
 
+    fn chosen(triangles: &[Triangle], bounds: &Aabb) -> [u32; OCCLUDERS] {
+        choose(triangles, bounds, &Control::default()).expect("not cancelled")
+    }
+
     #[test]
     fn a_wall_occludes() {
         let (triangles, bounds) = room(true);
-        let mut chosen = choose(&triangles, &bounds);
+        let mut chosen = chosen(&triangles, &bounds);
         chosen[..2].sort_unstable();
         assert_eq!(chosen[..2], [1000, 1001]);
         assert!(chosen[2..].iter().all(|&n| n == NONE || n < 1000), "{chosen:?}");
@@ -173,6 +209,6 @@ mod tests {
     #[test]
     fn crumbs_do_not() {
         let (triangles, bounds) = room(false);
-        assert_eq!(choose(&triangles, &bounds), [NONE; OCCLUDERS]);
+        assert_eq!(chosen(&triangles, &bounds), [NONE; OCCLUDERS]);
     }
 }

@@ -21,7 +21,7 @@ use core::ops::Range;
 /// Voxels from which on a grid is cut into slabs.
 const LARGE: u64 = 1 << 13;
 /// Voxels of a run of small grids, about.
-const RUN: u64 = 1 << 13;
+const RUN: u64 = 1 << 11;
 
 /// How many references ahead triangles are fetched: those of the lists to come, as lists lie
 /// in the order of the voxels.

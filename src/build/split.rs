@@ -6,12 +6,13 @@
 
 mod tasks;
 
+use super::bucket::Notes;
 use super::control::{Control, TASKS, parts};
 use super::draft::Draft;
 use super::frame::Grid;
 use super::scratch::cut;
 use crate::Error;
-use tasks::{Filling, Finding, Input, Split, sums, take};
+use tasks::{Filling, Finding, Input, Split, find_alone, sums, take};
 
 /// Voxels of a batch, at most.
 const MOST: usize = 256;
@@ -102,6 +103,13 @@ impl Batch {
         let mut grids = &mut draft.grid_memory[first..draft.grids];
         let mut splits = &mut self.splits[..self.count];
         let mut stream = &mut *draft.stream;
+        // Many triangles in one place would be one task.
+        if let ([split], [grid]) = (&mut *splits, &*grids) {
+            let notes = Notes { spans, stream, starts: &mut *draft.notes[0] };
+            if control.within(|control| find_alone(split, grid, notes, &input, control))? {
+                return Ok(());
+            }
+        }
         let share = self.words.div_ceil(TASKS);
         let mut tasks = parts(|| {
             let count = take(splits, share, |split| split.words);

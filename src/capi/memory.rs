@@ -42,7 +42,7 @@ impl Allocator {
         Ok(Self { alloc: desc.alloc, free: desc.free, user: desc.user })
     }
 
-    /// `size` zeroed or unspecified bytes, aligned to 64.
+    /// `size` bytes of any values, aligned to 64.
     fn get(&self, size: usize) -> Result<*mut u8, Error> {
         let memory = match self.alloc {
             // SAFETY: the caller's function, called as documented.
@@ -72,20 +72,60 @@ impl Allocator {
     }
 }
 
-/// The default allocator is asked for the alignment of a word only, and for room to
-/// align: for more it would clear memory that is zero already.
-#[cfg(feature = "alloc")]
-fn layout(size: usize) -> Result<core::alloc::Layout, Error> {
-    let size = size.checked_add(ALIGN).ok_or(Error::Overflow)?;
-    core::alloc::Layout::from_size_align(size, align_of::<usize>()).map_err(|_| Error::Overflow)
+/// C's own allocator, where there is one: memory from it is a caller's like any other, and need
+/// not be cleared, which for all that a bound asks for would take as long as a pass of the build.
+#[cfg(feature = "std")]
+mod plain {
+    use core::ffi::c_void;
+
+    unsafe extern "C" {
+        fn malloc(size: usize) -> *mut c_void;
+        fn free(memory: *mut c_void);
+    }
+
+    pub fn get(size: usize) -> *mut u8 {
+        // SAFETY: any size will do.
+        unsafe { malloc(size) }.cast()
+    }
+
+    /// # Safety
+    /// `memory` came from [`get`].
+    pub unsafe fn put(memory: *mut u8, _: usize) {
+        // SAFETY: by the caller.
+        unsafe { free(memory.cast()) };
+    }
 }
 
-/// Zeroed, so that pages which a bound asks for and the build does not touch
-/// are never made resident; aligned to 64.
+/// The program's allocator, of which Rust wants memory cleared before it is looked at.
+#[cfg(all(feature = "alloc", not(feature = "std")))]
+mod plain {
+    use core::alloc::Layout;
+
+    fn layout(size: usize) -> Option<Layout> {
+        Layout::from_size_align(size, align_of::<usize>()).ok()
+    }
+
+    pub fn get(size: usize) -> *mut u8 {
+        // SAFETY: the size is not 0.
+        layout(size)
+            .map_or(core::ptr::null_mut(), |layout| unsafe { alloc::alloc::alloc_zeroed(layout) })
+    }
+
+    /// # Safety
+    /// `memory` came from [`get`] with this size.
+    pub unsafe fn put(memory: *mut u8, size: usize) {
+        if let Some(layout) = layout(size) {
+            // SAFETY: by the caller; the layout is the one it was made with.
+            unsafe { alloc::alloc::dealloc(memory, layout) };
+        }
+    }
+}
+
+/// Memory aligned to 64, of an allocator that is asked for room to align: for more alignment than
+/// its own some clear memory that is zero already.
 #[cfg(feature = "alloc")]
 fn default_alloc(size: usize) -> Result<*mut u8, Error> {
-    // SAFETY: the size is not 0.
-    let memory = unsafe { alloc::alloc::alloc_zeroed(layout(size)?) };
+    let memory = plain::get(size.checked_add(ALIGN).ok_or(Error::Overflow)?);
     if memory.is_null() {
         return Ok(memory);
     }
@@ -104,12 +144,10 @@ fn default_alloc(size: usize) -> Result<*mut u8, Error> {
 /// `memory` came from [`default_alloc`] with this size.
 #[cfg(feature = "alloc")]
 unsafe fn default_free(memory: *mut u8, size: usize) {
-    if let Ok(layout) = layout(size) {
-        // SAFETY: by the caller; the layout is the one it was made with.
-        unsafe {
-            let skip = memory.cast::<usize>().sub(1).read();
-            alloc::alloc::dealloc(memory.sub(skip), layout);
-        }
+    // SAFETY: by the caller.
+    unsafe {
+        let skip = memory.cast::<usize>().sub(1).read();
+        plain::put(memory.sub(skip), size + ALIGN);
     }
 }
 
@@ -141,13 +179,7 @@ impl Block {
     }
 
     fn new(allocator: &Allocator, size: usize, head: usize) -> Result<Self, Error> {
-        let memory = allocator.get(size)?;
-        if allocator.alloc.is_some() {
-            // SAFETY: `size` bytes from the caller's allocator; a byte must not
-            // be uninitialised before Rust may look at it.
-            unsafe { memory.write_bytes(0, size) };
-        }
-        Ok(Self { allocator: *allocator, memory, size, head })
+        Ok(Self { allocator: *allocator, memory: allocator.get(size)?, size, head })
     }
 
     /// Where the block came from.
@@ -156,7 +188,9 @@ impl Block {
     }
 
     pub fn bytes(&mut self) -> &mut [u8] {
-        // SAFETY: owned and initialised.
+        // SAFETY: owned, and of whatever values a caller's memory has, as that which
+        // [`hug_build_into`](super::hug_build_into) is given; what a build has not written it
+        // does not look at.
         unsafe {
             core::slice::from_raw_parts_mut(self.memory.add(self.head), self.size - self.head)
         }

@@ -1,6 +1,8 @@
 //! The tasks of a batch: finding what new grids refer to, and filling these.
 
-use crate::build::bucket::{Lists, Notes, find, total};
+use crate::Error;
+use crate::build::bucket::{Lists, Notes, Shapes, find, find_in_tasks, total};
+use crate::build::control::Control;
 use crate::build::draft::{Crowded, Span};
 use crate::build::frame::Grid;
 use crate::build::gather::Soup;
@@ -36,6 +38,11 @@ pub struct Input<'a> {
 }
 
 impl Input<'_> {
+    fn shapes(&self) -> Shapes<'_> {
+        let (soup, order) = (self.soup.triangles, Some(self.order));
+        Shapes { soup, order, turn: None, grids: &[], turns: &[] }
+    }
+
     fn list(&self, split: &Split) -> &[u32] {
         let Span { start, count } = self.spans[split.voxel as usize];
         &self.refs[start as usize..][..count as usize]
@@ -77,6 +84,31 @@ pub fn sums(splits: &[Split], of: impl Fn(&Split) -> [u32; 2]) -> [usize; 2] {
     })
 }
 
+/// Finds what the only grid of a batch refers to, in tasks of its own. `false` if nothing was found
+/// so ([`find_in_tasks`]).
+pub fn find_alone(
+    split: &mut Split,
+    grid: &Grid,
+    mut notes: Notes<'_>,
+    input: &Input<'_>,
+    control: &mut Control<'_>,
+) -> Result<bool, Error> {
+    let objects = input.list(split);
+    if !find_in_tasks(grid, objects, input.shapes(), &mut notes, input.max_refs, control)? {
+        return Ok(false);
+    }
+    split.found(&notes.spans[..grid.voxels() as usize], objects.len());
+    Ok(true)
+}
+
+impl Split {
+    /// Sums up what the grid's voxels refer to, of so many objects.
+    fn found(&mut self, spans: &[Span], objects: usize) {
+        self.refs = total(spans) as u32;
+        self.together = spans.iter().any(|span| span.count as usize >= objects);
+    }
+}
+
 impl Finding<'_> {
     pub fn find(&mut self, input: &Input<'_>) {
         let (mut spans, mut stream) = (&mut *self.spans, &mut *self.stream);
@@ -86,7 +118,6 @@ impl Finding<'_> {
                 |object: u32| &input.soup.triangles[input.order[object as usize] as usize];
             // They lie about in the soup.
             objects.iter().take(SOON).for_each(|&object| fetch(triangle(object)));
-            let triangle = |object| *triangle(object);
             let spans = cut(&mut spans, split.voxels as usize);
             let stream = cut(&mut stream, split.words as usize);
             let mut work = 0;
@@ -95,14 +126,11 @@ impl Finding<'_> {
                 Ok(())
             };
             let notes = Notes { spans, stream, starts: &mut [] };
-            let shapes = (triangle, |_| [[0.0; 3]; 2]);
             // Memory suffices for the budget, and a grid of one voxel is in it.
             let limits = (input.max_refs, Crowded::Coarsen);
-            let found = find(grid, objects, shapes, notes, limits, tick);
+            let found = find(grid, objects, input.shapes(), notes, limits, tick);
             debug_assert_eq!(found, Ok(()), "a piece is too small");
-            let spans = &spans[..grid.voxels() as usize];
-            split.refs = total(spans) as u32;
-            split.together = spans.iter().any(|span| span.count as usize >= objects.len());
+            split.found(&spans[..grid.voxels() as usize], objects.len());
             split.work = work;
         }
     }

@@ -15,7 +15,7 @@ use crate::build::scratch::cut;
 use crate::simd::fetch;
 
 /// Boxes of a task.
-const SHARE: usize = 4096;
+const SHARE: usize = 1024;
 /// Where fewer than one pair is found among so many boxes, each is joined with its neighbour: so
 /// what is to be done is bounded, and how deep the tree is.
 const SLOW: usize = 16;

@@ -8,7 +8,7 @@ use crate::build::control::{Control, TASKS, parts};
 use crate::build::scratch::cut;
 
 /// Nodes of a task.
-const SHARE: usize = 128;
+const SHARE: usize = 32;
 
 /// Nodes of a level, made by one task, and what they name.
 struct Share<'a> {
