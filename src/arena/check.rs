@@ -80,7 +80,7 @@ pub fn check(bytes: &[u8]) -> Result<(), Error> {
     let named = |&number: &u32| number == NONE || u64::from(number) < counts.3;
     require(h.occluders.iter().all(named), Error::Reference)?;
     agree(triangles.iter().all(|t| t.corners().as_flattened().iter().all(|x| x.is_finite())))?;
-    agree(h.reserved == [0; 5] && h.quantized <= 1)?;
+    agree(h.reserved == [0; 5] && h.quantized <= 1.min(h.nodes.count))?;
     agree(h.nodes.count == 0 || TREE_UNITS.contains(&h.unit))?;
     let nodes = h.nodes;
     if h.quantized == 0 {

@@ -1,8 +1,8 @@
 //! The arena: one flat block that holds a built scene.
 //!
-//! `layout` says what its bytes mean (`node`: those of the tree of boxes), `check` decides whether untrusted bytes
-//! are an arena (`tree`: whether nodes are a tree), `view` reads one, `block` owns
-//! the memory of one.
+//! `layout` says what its bytes mean (`node`: those of the tree of boxes), `check` decides
+//! whether untrusted bytes are an arena (`tree`: whether nodes are a tree), `view` reads one,
+//! `block` owns the memory of one.
 
 #[cfg(feature = "alloc")]
 pub(crate) mod block;

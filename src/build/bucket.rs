@@ -69,7 +69,7 @@ impl<'a> Finder<'a> {
 
     /// Notes at the start of `stream`, as far as there is room, how many voxels an object
     /// meets, and these, ascending. Returns their number, and how many rows of voxels were
-    /// looked at.
+    /// looked at. Called, as it would be in the library for each who asks.
     #[inline(never)]
     pub fn note(&self, object: u32, stream: &mut [u32]) -> [usize; 2] {
         let mut none = 0;
@@ -95,7 +95,8 @@ impl<'a> Finder<'a> {
 }
 
 /// Notes which voxels of `grid` objects meet, and how many there are for each voxel. The
-/// grid is made coarser where it would have too many references. `tick` is told of work, and of how many objects were looked at.
+/// grid is made coarser where it would have too many references. `tick` is told of work, and of how
+/// many objects were looked at.
 ///
 /// # Errors
 /// [`Error::Limit`] if `notes` have too little room; those of `tick`.

@@ -4,10 +4,10 @@
 //! below (`below`): triangles lie along a Morton curve (`curve`), and of those near each other
 //! there (`near`) the two whose box is least become a node, in rounds. With care it is split from
 //! above (`above`, `split`), which rays find a little better and takes three times as long, and
-//! subtrees are moved to where they cost less (`reinsert`). Either way its nodes become the nodes of
-//! eight parts that cost least (`costs`, `collapse`) or, should these be too many, those of the largest
-//! parts; numbers are given level by level (`numbers`), and compact arenas get them in less (`quantize`). Should they then be too many still, or too
-//! deep, there is no tree.
+//! subtrees are moved to where they cost less (`reinsert`). Either way its nodes become the nodes
+//! of eight parts that cost least (`costs`, `collapse`) or, should these be too many, those of the
+//! largest parts; numbers are given level by level (`numbers`). Should they then be too many still,
+//! or too deep, there is no tree. Compact arenas get its nodes in less (`quantize`).
 //! What is cut into tasks does not depend on who does them, nor does the tree.
 
 mod above;

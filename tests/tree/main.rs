@@ -195,6 +195,11 @@ fn what_has_a_tree() {
         assert!(nodes(&Options { structure, ..options() }) > 0);
     }
     assert_eq!(nodes(&Options { structure: Structure::Hug, ..options() }), 0);
+    // Of no nodes there is one kind.
+    let fast = Options { quality: Quality::Fast, compact: true, ..Options::default() };
+    let without = Aligned::copy(build(&mesh, &fast).view().bytes());
+    assert_eq!((count(&without, NODES), View::open(&without).err()), (0, None));
+    refused(&without, QUANTIZED, 1);
     // Fewer triangles than a leaf takes.
     for n in 0..8 {
         let scene = build(&soups::clustered(n), &options());
