@@ -168,7 +168,8 @@ typedef uint32_t hug_delta;
 typedef uint32_t hug_hierarchy;
 
 /**
- * Allocates size bytes aligned to align (a power of two, at most 64), or returns NULL.
+ * Allocates size bytes, of any values, aligned to align (a power of two, at most 64), or returns
+ * NULL.
  */
 typedef void *(*hug_alloc_fn)(size_t size, size_t align, void *user);
 

@@ -208,7 +208,8 @@ pub type hug_parallel_for_fn = Option<
 /// cancels the build: HUG_ERROR_CANCELLED.
 pub type hug_progress_fn = Option<unsafe extern "C" fn(user: *mut c_void, fraction: f64) -> i32>;
 
-/// Allocates size bytes aligned to align (a power of two, at most 64), or returns NULL.
+/// Allocates size bytes, of any values, aligned to align (a power of two, at most 64), or returns
+/// NULL.
 pub type hug_alloc_fn =
     Option<unsafe extern "C" fn(size: usize, align: usize, user: *mut c_void) -> *mut c_void>;
 /// Frees what hug_alloc_fn returned; size is the size it was asked for.
