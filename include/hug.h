@@ -31,9 +31,10 @@
 #define HUG_BUILD_PLAIN_STEPS 1
 
 /**
- * Build flag: AUTO makes the smallest arena that is still sensible, whatever
- * the quality: its grids are the coarsest. Of every structure: a tree of boxes has nodes of 96
- * bytes in place of 256, with boxes in 8 bits; rays that take it have 0.8 to 0.95 of the speed.
+ * Build flag: AUTO makes the smallest grids that are still sensible, whatever the quality, which
+ * then says whether there is a tree of boxes (with FAST there is none) and with how much care it
+ * is built. Of every structure: such a tree has nodes of 96 bytes in place of 256, with boxes in
+ * 8 bits; rays that take it have 0.8 to 0.95 of the speed.
  */
 #define HUG_BUILD_COMPACT 2
 
@@ -58,7 +59,7 @@
  * take it are two or three times as fast. Hits are the same. Of 2^28 triangles or
  * more, of fewer than 8, of those that are tiny beside the scene's extent, and of a HUG's, whose
  * triangles lie cluster by cluster, there is none. If quality is HIGH it is built with more
- * care, if the arena is to be compact, it takes a third of the memory. AUTO builds it with the
+ * care; with HUG_BUILD_COMPACT it takes three eighths of the memory. AUTO builds it with the
  * qualities DEFAULT and HIGH.
  */
 #define HUG_BUILD_TREE 16
@@ -301,7 +302,8 @@ typedef struct {
    */
   uint32_t flags;
   /**
-   * hug_build only: the allocator, or both NULL for the default one. hug_rebuild uses the one of the scene.
+   * hug_build only: the allocator, or both NULL for the default one, which is C's malloc and free
+   * where there are these. hug_rebuild uses the one of the scene.
    */
   hug_alloc_fn alloc;
   /**

@@ -179,8 +179,8 @@ pub struct Options {
     /// that take it are two or three times as fast. Hits are the same. Of 2^28
     /// triangles or more, of fewer than 8, of those that are tiny beside the scene's extent, and
     /// of a HUG's, whose triangles lie cluster by cluster, there is none. If `quality` is HIGH,
-    /// it is built with more care, if `compact`, it takes a third of the memory. AUTO builds it with
-    /// the qualities DEFAULT and HIGH.
+    /// it is built with more care; if `compact`, it takes three eighths of the memory. AUTO builds
+    /// it with the qualities DEFAULT and HIGH.
     pub tree: bool,
     /// HUG: the filter of lengths.
     pub filter: Filter,
@@ -209,9 +209,10 @@ pub struct Options {
     pub max_refs: u32,
     /// AUTO: how fine. The other structures have parameters of their own.
     pub quality: Quality,
-    /// AUTO: the smallest arena that is still sensible, whatever the quality: its grids are the
-    /// coarsest. Of every structure: a tree has nodes of 96 bytes in place of 256, with boxes in
-    /// 8 bits; rays that take it have 0.8 to 0.95 of the speed.
+    /// AUTO: the smallest grids that are still sensible, whatever the quality, which then says
+    /// whether there is a tree (with FAST there is none) and with how much care it is built. Of every
+    /// structure: a tree has nodes of 96 bytes in place of 256, with boxes in 8 bits; rays that
+    /// take it have 0.8 to 0.95 of the speed.
     pub compact: bool,
 }
 

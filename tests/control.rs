@@ -6,7 +6,7 @@ mod common;
 
 use common::{build, configurations, soups};
 use hug::build::{Control, Task, Threads};
-use hug::{Error, Geometry, Options, Scene};
+use hug::{Error, Geometry, Options, Scene, Structure};
 use hug_kit::{Mesh, scenes, soups as kit};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -109,6 +109,36 @@ fn threads_do_not_change_the_bytes_of_crowded_scenes() {
     for max_refs in [2, 4, 32] {
         let options = Options { max_refs, ..Options::default() };
         assert_same_bytes(&mesh, &options, &format!("some large ones, {max_refs}"));
+    }
+}
+
+/// Slivers across the scene, which many rows of voxels are looked at for: not too many in any part
+/// that a task has, but in all of them together, as the last part is short.
+#[test]
+fn threads_do_not_change_the_bytes_where_rows_are_many() {
+    for slivers in (40..66).step_by(3) {
+        let mut next = 1u32;
+        let mut random = || {
+            next = next.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (next >> 8) as f32 / 16_777_216.0
+        };
+        let mut mesh = Mesh::default();
+        for (count, slivers) in [(2048, slivers), (2048, slivers), (200, 30)] {
+            for i in 0..count {
+                if i * slivers / count != (i + 1) * slivers / count {
+                    let e = 0.01 * random();
+                    mesh.push([[0.0, e, 0.0], [1.0, 1.0, 1.0 - e], [1.0, 1.0 - e, 1.0]]);
+                } else {
+                    let [x, y, z] = [(); 3].map(|()| 0.99 * random());
+                    mesh.push([[x, y, z], [x + 0.001, y, z], [x, y + 0.001, z + 0.001]]);
+                }
+            }
+        }
+        for structure in [Structure::Uniform, Structure::Recursive] {
+            let options =
+                Options { structure, world_alpha: Option::Some(4.0), ..Options::default() };
+            assert_same_bytes(&mesh, &options, &format!("{slivers} slivers, {structure:?}"));
+        }
     }
 }
 

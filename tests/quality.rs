@@ -46,7 +46,7 @@ fn a_ray_cannot_tell() {
 
 /// Quality is then about the tree alone: none, one, and one built with more care.
 #[test]
-fn compact_is_compact_whatever_the_quality() {
+fn compact_grids_are_the_same_whatever_the_quality() {
     let mesh = soups::clustered(900);
     let [fast, default, high] = QUALITIES.map(|quality| {
         let scene = build(&mesh, &Options { quality, compact: true, ..Options::default() });

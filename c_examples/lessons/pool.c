@@ -22,7 +22,7 @@ static void share(pool *p)
         size_t index = p->next++;
         pool_task task = p->task;
         void *context = p->context;
-        p->running++;
+        __atomic_store_n(&p->running, p->running + 1, __ATOMIC_RELAXED);
         pthread_mutex_unlock(&p->lock);
         task(context, index);
         pthread_mutex_lock(&p->lock);
@@ -65,6 +65,7 @@ void pool_stop(pool *p)
 {
     pthread_mutex_lock(&p->lock);
     p->end = 1;
+    __atomic_store_n(&p->loops, p->loops + 1, __ATOMIC_RELAXED);
     pthread_cond_broadcast(&p->work);
     pthread_mutex_unlock(&p->lock);
     while (p->started > 0)
@@ -85,7 +86,7 @@ void pool_run(void *of, size_t count, pool_task task, void *context)
     __atomic_store_n(&p->loops, p->loops + 1, __ATOMIC_RELAXED);
     pthread_cond_broadcast(&p->work);
     share(p);
-    if (p->running > 0)
+    for (unsigned i = 0; i < p->started && p->running > 0; i++)
         look(p, &p->running, p->running);
     while (p->running > 0)
         pthread_cond_wait(&p->done, &p->lock);

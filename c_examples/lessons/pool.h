@@ -25,7 +25,8 @@ typedef struct {
 unsigned pool_start(pool *p, unsigned threads);
 void pool_stop(pool *p);
 
-/* Runs the task for every index below count, and returns when all are done. Of the type
+/* Runs the task for every index below count, and returns when all are done; one such loop at a
+ * time. Of the type
  * of hug_parallel_for_fn, when the pool is the user pointer. */
 void pool_run(void *of, size_t count, pool_task task, void *context);
 

@@ -4,7 +4,9 @@
 //! the root. In the order of nodes, and of their parts' places, nodes from number 1 on and triangles
 //! from number 0 on are named one after the other: so it is a tree, its nodes are level by level,
 //! and each triangle is in one leaf. A part that is not there is a leaf of no triangles with an
-//! inverted box. Bounds are in coordinates from the header's `lower` on and times its `unit`.
+//! inverted box, which in less is inverted by a few margins of a descent only: a ray from far away may
+//! go there, and find nothing. Bounds are in coordinates from the header's `lower` on and times its
+//! `unit`.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -44,7 +46,8 @@ pub struct QuantizedNode {
     /// See [`PART_SHIFT`].
     pub parts: [u32; PARTS],
     pub origin: [f32; 3],
-    /// The exponents of steps, as in an `f32`: a step is 2^(e - 127), or 0.
+    /// The exponents of steps, as in an `f32`: a step is 2^(e - 127), or 0, and in bytes from
+    /// elsewhere perhaps infinite.
     pub exponents: [u8; 3],
     pub reserved: u8,
 }

@@ -173,8 +173,7 @@ impl<'a> Sections<'a> {
         unsafe { &*self.nodes.cast::<N>().add(i as usize).byte_add(row.0).cast() }
     }
 
-    /// Fetches node number `i`: its lines, of which there are one more than it fills if it does not
-    /// begin with one.
+    /// Fetches node number `i`: four lines, or two, in which 96 bytes are wherever they begin.
     #[inline(always)]
     pub fn fetch_node<N: AnyNode, L: Lanes>(&self, l: L, i: u32) {
         let at = self.nodes.cast::<N>().wrapping_add(i as usize).cast::<[u8; 64]>();

@@ -69,7 +69,7 @@ impl<'a> Finder<'a> {
 
     /// Notes at the start of `stream`, as far as there is room, how many voxels an object
     /// meets, and these, ascending. Returns their number, and how many rows of voxels were
-    /// looked at. Called, as it would be in the library for each who asks.
+    /// looked at. Not inlined: there would be a copy for each who asks.
     #[inline(never)]
     pub fn note(&self, object: u32, stream: &mut [u32]) -> [usize; 2] {
         let mut none = 0;

@@ -37,7 +37,7 @@ pub struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Tasks of nothing. Not part of each who fills them.
+    /// Tasks of nothing. Not inlined, for size.
     #[inline(never)]
     fn none() -> [Self; TASKS] {
         [const { Self { work: None, done: false } }; TASKS]

@@ -120,15 +120,15 @@ impl<'s> Plan<'s> {
         let triangles: &mut [Triangle] =
             bytemuck::cast_slice_mut(section(3, size_of::<Triangle>()));
         let frames: &mut [Frame] = bytemuck::cast_slice_mut(section(4, size_of::<Frame>()));
+        control.pass(0.5)?;
         if self.quantized {
-            let nodes = bytemuck::cast_slice_mut(section(5, size_of::<QuantizedNode>()));
-            nodes.iter_mut().zip(self.nodes).for_each(|(to, node)| *to = quantize(node));
+            let nodes = section(5, size_of::<QuantizedNode>());
+            quantize(self.nodes, bytemuck::cast_slice_mut(nodes), control)?;
         } else {
             let nodes = bytemuck::cast_slice_mut(section(5, size_of::<Node>()));
             nodes.copy_from_slice(self.nodes);
         }
         rest.fill(0);
-        control.pass(0.5)?;
         self.draft.copy_triangles(triangles, control)?;
         control.pass(0.95)?;
         let unit = unit(&self.draft.soup.bounds);

@@ -28,9 +28,9 @@ const WORTH: u32 = 4;
 /// Triangles of a task.
 const SHARE: usize = 4096;
 
-/// A triangle: its area, or twice that squared while others are looked for, and its number.
+/// A triangle: its area, while others are looked for the square of twice that, and its number.
 type Large = (f64, u32);
-const NOBODY: [Large; CANDIDATES] = [(-1.0, NONE); CANDIDATES];
+const NONE_LARGE: [Large; CANDIDATES] = [(-1.0, NONE); CANDIDATES];
 
 /// A set of segments.
 #[derive(Clone, Copy)]
@@ -113,14 +113,14 @@ fn of_largest(
 fn largest(triangles: &[Triangle], control: &Control<'_>) -> Result<[Large; CANDIDATES], Error> {
     let share = SHARE.max(triangles.len().div_ceil(TASKS));
     let mut some = triangles.chunks(share).zip((0..).step_by(share));
-    let mut tasks = parts(|| some.next().map(|(some, first)| (some, first, NOBODY)));
+    let mut tasks = parts(|| some.next().map(|(some, first)| (some, first, NONE_LARGE)));
     control.each(&mut tasks, |(some, first, best)| {
         for (number, triangle) in (*first..).zip(*some) {
             let [a, b, c] = corners(triangle);
             keep(best, ((b - a).cross(c - a).length_squared(), number));
         }
     })?;
-    let mut best = NOBODY;
+    let mut best = NONE_LARGE;
     for (.., some) in tasks.iter().flatten() {
         some.iter().for_each(|&large| keep(&mut best, large));
     }

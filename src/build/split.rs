@@ -12,7 +12,7 @@ use super::draft::Draft;
 use super::frame::Grid;
 use super::scratch::cut;
 use crate::Error;
-use tasks::{Filling, Finding, Input, Split, find_alone, sums, take};
+use tasks::{Filling, Finding, Input, Split, find_single, sums, take};
 
 /// Voxels of a batch, at most.
 const MOST: usize = 256;
@@ -106,7 +106,7 @@ impl Batch {
         // Many triangles in one place would be one task.
         if let ([split], [grid]) = (&mut *splits, &*grids) {
             let notes = Notes { spans, stream, starts: &mut *draft.notes[0] };
-            if control.within(|control| find_alone(split, grid, notes, &input, control))? {
+            if control.within(|control| find_single(split, grid, notes, &input, control))? {
                 return Ok(());
             }
         }

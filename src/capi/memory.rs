@@ -74,7 +74,7 @@ impl Allocator {
 
 /// C's own allocator, where there is one: memory from it is a caller's like any other, and need
 /// not be cleared, which for all that a bound asks for would take as long as a pass of the build.
-#[cfg(feature = "std")]
+#[cfg(all(feature = "std", any(unix, windows)))]
 mod plain {
     use core::ffi::c_void;
 
@@ -84,8 +84,8 @@ mod plain {
     }
 
     pub fn get(size: usize) -> *mut u8 {
-        // SAFETY: any size will do.
-        unsafe { malloc(size) }.cast()
+        // SAFETY: any size will do. Compilers know `malloc`, and are not to know that it was that.
+        core::hint::black_box(unsafe { malloc(size) }).cast()
     }
 
     /// # Safety
@@ -97,7 +97,7 @@ mod plain {
 }
 
 /// The program's allocator, of which Rust wants memory cleared before it is looked at.
-#[cfg(all(feature = "alloc", not(feature = "std")))]
+#[cfg(all(feature = "alloc", not(all(feature = "std", any(unix, windows)))))]
 mod plain {
     use core::alloc::Layout;
 
@@ -121,8 +121,8 @@ mod plain {
     }
 }
 
-/// Memory aligned to 64, of an allocator that is asked for room to align: for more alignment than
-/// its own some clear memory that is zero already.
+/// Memory aligned to 64, of an allocator that is asked for room to align: of those that clear memory
+/// some clear what is zero already, if asked for more alignment than their own.
 #[cfg(feature = "alloc")]
 fn default_alloc(size: usize) -> Result<*mut u8, Error> {
     let memory = plain::get(size.checked_add(ALIGN).ok_or(Error::Overflow)?);

@@ -140,9 +140,10 @@ pub const HUG_INDEX_U32: hug_index_type = 2;
 /// the paper. The hits are the same.
 pub const HUG_BUILD_PLAIN_STEPS: u32 = 1;
 
-/// Build flag: AUTO makes the smallest arena that is still sensible, whatever
-/// the quality: its grids are the coarsest. Of every structure: a tree of boxes has nodes of 96
-/// bytes in place of 256, with boxes in 8 bits; rays that take it have 0.8 to 0.95 of the speed.
+/// Build flag: AUTO makes the smallest grids that are still sensible, whatever the quality, which
+/// then says whether there is a tree of boxes (with FAST there is none) and with how much care it
+/// is built. Of every structure: such a tree has nodes of 96 bytes in place of 256, with boxes in
+/// 8 bits; rays that take it have 0.8 to 0.95 of the speed.
 pub const HUG_BUILD_COMPACT: u32 = 2;
 
 /// hug_build flag: the scene keeps the build's scratch memory, so that hug_rebuild
@@ -161,7 +162,7 @@ pub const HUG_BUILD_FILL_UP: u32 = 8;
 /// take it are two or three times as fast. Hits are the same. Of 2^28 triangles or
 /// more, of fewer than 8, of those that are tiny beside the scene's extent, and of a HUG's, whose
 /// triangles lie cluster by cluster, there is none. If quality is HIGH it is built with more
-/// care, if the arena is to be compact, it takes a third of the memory. AUTO builds it with the
+/// care; with HUG_BUILD_COMPACT it takes three eighths of the memory. AUTO builds it with the
 /// qualities DEFAULT and HIGH.
 pub const HUG_BUILD_TREE: u32 = 16;
 
@@ -265,7 +266,8 @@ pub struct hug_build_desc {
     pub max_refs: u32,
     /// HUG_BUILD_* flags.
     pub flags: u32,
-    /// hug_build only: the allocator, or both NULL for the default one. hug_rebuild uses the one of the scene.
+    /// hug_build only: the allocator, or both NULL for the default one, which is C's malloc and free
+    /// where there are these. hug_rebuild uses the one of the scene.
     pub alloc: hug_alloc_fn,
     /// hug_build only: frees what alloc returned, also from hug_free.
     pub free: hug_free_fn,

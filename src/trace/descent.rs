@@ -3,12 +3,13 @@
 //!
 //! Boxes only say where not to look; `triangle` decides what is hit, as in a walk. Nodes are in
 //! coordinates times `unit`, from the lowest corner of the scene on, so that these are less
-//! than 2, and the ray's parameter, tau, is t times `unit`.
+//! than 2, or than 2 1/32 where they are rounded up to a step of 2^-6 at most (`build::tree`), and the
+//! ray's parameter, tau, is t times `unit`.
 //!
 //! No part of a hit is missed. With e = 2^-24 and o the origin's coordinate along an axis, the
-//! parameter of a plane p <= 2 is computed as p pace - o pace, with errors of at most e of
-//! pace's own, of o's rounding, of the product o pace, of the sum, each times (|o| + 2) |pace|,
-//! and of the addend's: 6 e (|o| + 2) |pace| in all. 16 e are subtracted where the ray enters
+//! parameter of a plane p <= 2 1/32 is computed as p pace - o pace, with errors of at most e of
+//! pace's own, of o's rounding, of the product o pace, of the sum, each times (|o| + 2 1/32)
+//! |pace|, and of the addend's: 6.1 e (|o| + 2) |pace| in all. 16 e are subtracted where the ray enters
 //! and added where it leaves. A component of the direction below 2^-115 is taken for that, 2^-95
 //! of the longest or less, which moves the ray by less than 2^-83 where the origin is no farther
 //! than [`FAR`], as it is here: rays from farther away walk, and so do those whose directions

@@ -14,7 +14,7 @@ use crate::build::scratch::cut;
 const PART: usize = 2048;
 /// Words for a triangle of a task at first, itself and its voxels: what a batch of tasks notes is then
 /// in one large page.
-const FIRST: usize = 8;
+const WORDS: usize = 8;
 
 /// Some triangles and their piece of the stream.
 struct Part<'a> {
@@ -78,7 +78,7 @@ pub fn find_in_tasks(
     notes.spans[..voxels].fill(EMPTY);
     let finder = Finder::new(grid, shapes);
     let most = PART * (max_refs as usize + 1);
-    let mut room = most.min(PART * FIRST);
+    let mut room = most.min(PART * WORDS);
     let budget = objects.len().saturating_mul(max_refs as usize);
     let work = 4 * PART * max_refs as usize;
     let (all, mut end, mut seen, mut rows) = (objects.len(), 0, 0, 0);
@@ -91,7 +91,7 @@ pub fn find_in_tasks(
             size = (free.len() / count).min(room);
             found = note(&finder, batch, (free, size), work, control)?;
             let fits = found[..count].iter().all(|&[words, _]| words <= size);
-            if fits || room == most {
+            if fits || size < room || room == most {
                 break;
             }
             room = most;
@@ -116,7 +116,8 @@ pub fn find_in_tasks(
             rows += looked_at;
         }
         control.at(seen, all)?;
-        if end - seen > budget {
+        // As `find` would.
+        if end - seen > budget || rows > budget.saturating_mul(4) {
             return Ok(false);
         }
     }

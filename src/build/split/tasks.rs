@@ -86,7 +86,7 @@ pub fn sums(splits: &[Split], of: impl Fn(&Split) -> [u32; 2]) -> [usize; 2] {
 
 /// Finds what the only grid of a batch refers to, in tasks of its own. `false` if nothing was found
 /// so ([`find_in_tasks`]).
-pub fn find_alone(
+pub fn find_single(
     split: &mut Split,
     grid: &Grid,
     mut notes: Notes<'_>,
