@@ -39,7 +39,7 @@ const char settings_help[] =
     "  --build-rounds N   how often each build is timed (default: as --rounds)\n"
     "  --threads N        above 1: builds also with N threads\n"
     "  --quality NAME     fast, default or high: how fine auto is\n"
-    "  --compact          auto in the least memory\n"
+    "  --compact          auto in little memory\n"
     "\n"
     "  --csv              CSV on standard output instead of tables; what the arbiter\n"
     "                     decided then goes to standard error\n"

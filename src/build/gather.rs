@@ -25,7 +25,7 @@ pub struct Soup<'s> {
 /// Triangles of a part, at most.
 const PART: usize = 4096;
 /// By how many triangles memory is asked for ahead.
-const SOON: usize = 16;
+pub const SOON: usize = 16;
 
 /// Some triangles of a geometry, and where they go.
 struct Part<'a> {

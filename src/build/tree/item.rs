@@ -7,7 +7,7 @@ use crate::aabb::Aabb;
 use crate::arena::layout::Triangle;
 use crate::build::control::{Control, TASKS, parts};
 use crate::build::frame::unit;
-use crate::build::gather::Soup;
+use crate::build::gather::{SOON, Soup};
 use crate::simd::fetch;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3A, Vec4};
@@ -72,9 +72,6 @@ impl Item {
 /// Triangles of a task.
 const SHARE: usize = 4096;
 
-/// By how many triangles memory is asked for ahead.
-const AHEAD: usize = 16;
-
 /// The triangles of a soup in the order of keys, as items and as what is to be joined.
 pub fn items(
     soup: &Soup<'_>,
@@ -94,7 +91,7 @@ pub fn items(
         });
         control.each(&mut tasks, |(rows, to, keys, start)| {
             for (i, (to, key)) in to.iter_mut().zip(*keys).enumerate() {
-                if let Some(key) = keys.get(i + AHEAD) {
+                if let Some(key) = keys.get(i + SOON) {
                     fetch(&raw const soup.triangles[key[1] as usize]);
                 }
                 *to = frame.item(&soup.triangles[key[1] as usize], key[1] as u32);

@@ -55,7 +55,7 @@ pub struct How {
     /// How fine a structure auto builds
     #[arg(long, help_heading = BUILDING, value_enum, default_value_t = Fineness::Default)]
     pub quality: Fineness,
-    /// The smallest arena that is still sensible (auto)
+    /// The smallest grids that are still sensible (auto), and a tree of boxes in less memory
     #[arg(long, help_heading = BUILDING)]
     pub compact: bool,
     /// Threads to build with; the bytes built are the same
