@@ -1,4 +1,4 @@
-//! The bytes of an arena, format version 6.
+//! The bytes of an arena, format version 7.
 //!
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
 //! then the grids, the voxels, the references, the triangles, the frames and the nodes, each
@@ -7,7 +7,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::node::{Node, QuantizedNode};
+use super::node::{LEAF, Node, QuantizedNode};
 use crate::Error;
 use crate::options::MAX_LEVELS;
 use crate::ray::NONE;
@@ -17,7 +17,7 @@ pub const ALIGN: usize = 64;
 /// The first eight bytes of an arena.
 pub const MAGIC: [u8; 8] = *b"hug-rt\r\n";
 /// The format's version; any other is refused.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 /// Reads differently where the byte order is not the writer's.
 pub const BYTE_ORDER: u32 = 0x0102_0304;
 /// Marks a reference to a grid; the other bits are the grid's or triangle's number.
@@ -319,6 +319,12 @@ pub fn sections(counts: &Counts) -> Result<([Section; SECTIONS], u64), Error> {
         place(counts.frames, size_of::<Frame>())?,
         place(counts.nodes, counts.node())?,
     ];
+    if counts.nodes > 0 {
+        // Leaves are read eight triangles at a time.
+        let [_, _, _, triangles, ..] = sections;
+        let rest = (triangles.count + u64::from(LEAF) - 1) * size_of::<Triangle>() as u64;
+        at = at.max((triangles.offset + rest).next_multiple_of(ALIGN as u64));
+    }
     isize::try_from(at).map_err(|_| Error::Overflow)?;
     Ok((sections, at))
 }

@@ -12,10 +12,13 @@ use bytemuck::{Pod, Zeroable};
 
 /// Parts of a node.
 pub const PARTS: usize = 8;
-/// A part's word: the number of a node, or of the first triangle of a leaf, times 16, and in
-/// the lower bits the number of triangles or [`NODE`].
-pub const PART_SHIFT: u32 = 4;
-/// In place of a number of triangles: the part is a node.
+/// A part's word, if it is a leaf: the number of its first triangle times 16, and how many there
+/// are.
+pub const LEAF_SHIFT: u32 = 4;
+/// A part's word, if it is a node: its number times 32, and [`NODE`]. Nodes' sizes are multiples
+/// of 32, so that the word, multiplied, is a node's place.
+pub const NODE_SHIFT: u32 = 5;
+/// The lower four bits of a part's word, where it is a node.
 pub const NODE: u32 = 15;
 /// Most triangles of a leaf, and fewest of a scene that has a tree.
 pub const LEAF: u32 = 8;
@@ -31,7 +34,7 @@ pub const MAX_DEPTH: usize = 64;
 pub struct Node {
     /// Lower and upper bounds of the parts along x, then y, then z.
     pub bounds: [[f32; PARTS]; 6],
-    /// See [`PART_SHIFT`].
+    /// See [`LEAF_SHIFT`] and [`NODE_SHIFT`].
     pub parts: [u32; PARTS],
     pub reserved: [u32; PARTS],
 }
@@ -43,7 +46,7 @@ pub struct Node {
 pub struct QuantizedNode {
     /// As those of a [`Node`], in steps.
     pub bounds: [[u8; PARTS]; 6],
-    /// See [`PART_SHIFT`].
+    /// See [`LEAF_SHIFT`] and [`NODE_SHIFT`].
     pub parts: [u32; PARTS],
     pub origin: [f32; 3],
     /// The exponents of steps, as in an `f32`: a step is 2^(e - 127), or 0, and in bytes from
@@ -61,6 +64,15 @@ pub trait AnyNode: Pod {
     type Row: Pod;
 
     fn parts(&self) -> &[u32; PARTS];
+
+    /// How many bytes lie before the node that a part's word names.
+    #[inline(always)]
+    fn place(part: u32) -> usize {
+        // Nothing else is in the words of nodes, so no bit has to be masked.
+        const { assert!(size_of::<Self>().is_multiple_of(1 << NODE_SHIFT)) };
+        let scale = size_of::<Self>() >> NODE_SHIFT;
+        (part as usize).wrapping_mul(scale).wrapping_sub(NODE as usize * scale)
+    }
 
     /// Whether nothing is in what means nothing.
     fn is_clean(&self) -> bool;

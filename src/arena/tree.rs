@@ -3,7 +3,7 @@
 //! Nodes and triangles are named one after the other (`node`), so that one pass with
 //! two counters tells that each has one place, and where each level of the tree ends.
 
-use super::node::{AnyNode, LEAF, MAX_DEPTH, NODE, PART_SHIFT};
+use super::node::{AnyNode, LEAF, LEAF_SHIFT, MAX_DEPTH, NODE, NODE_SHIFT};
 use crate::Error;
 
 /// Checks the nodes of an arena of so many triangles. What their boxes say does not matter: any
@@ -28,16 +28,21 @@ pub fn check<N: AnyNode>(nodes: &[N], triangles: u64) -> Result<(), Error> {
         let mut parts = *node.parts();
         parts.sort_unstable();
         for part in parts {
-            let (place, count) = (u64::from(part >> PART_SHIFT), part & NODE);
-            let expected = match count {
-                NODE => &mut next,
-                0..=LEAF => &mut first,
+            let expected = match part & NODE {
+                NODE => {
+                    next += 1;
+                    (next - 1) << NODE_SHIFT | u64::from(NODE)
+                }
+                0 => 0,
+                count @ 1..=LEAF => {
+                    first += u64::from(count);
+                    (first - u64::from(count)) << LEAF_SHIFT | u64::from(count)
+                }
                 _ => return Err(Error::Reference),
             };
-            if count > 0 && place != *expected || count == 0 && place != 0 {
+            if u64::from(part) != expected {
                 return Err(Error::Reference);
             }
-            *expected += if count == NODE { 1 } else { u64::from(count) };
         }
     }
     if next != nodes.len() as u64 || first != triangles {

@@ -7,16 +7,18 @@
 //! voxels' section; every voxel's list lies in the references' section; every
 //! reference names an existing triangle or a later grid; exit boxes lie in their
 //! grids; if a grid is turned there is a frame for each; parts of nodes name nodes and
-//! triangles that exist, and where there are nodes there are eight triangles at least.
+//! triangles that exist, and where there are nodes there is room for seven triangles after the
+//! last.
 //! The accessors below rely on it instead of testing bounds.
 
+use core::hint::select_unpredictable;
 use core::marker::PhantomData;
 
 use super::check;
 use super::layout::{
     Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
-use super::node::AnyNode;
+use super::node::{AnyNode, LEAF_SHIFT, NODE};
 use crate::Error;
 use crate::simd::{Lanes, fpenv};
 
@@ -159,32 +161,34 @@ impl<'a> Sections<'a> {
         unsafe { &*self.frames.add(i as usize) }
     }
 
-    /// Node number `i`: 0 of a tree, or from a part of a node. `N` is what the header says.
+    /// The node that a part's word names: that of a node of a tree, or of the first, [`NODE`]. `N` is what the header says.
     #[inline(always)]
-    pub fn node<N: AnyNode>(&self, i: u32) -> &'a N {
+    pub fn node<N: AnyNode>(&self, part: u32) -> &'a N {
         // SAFETY: see the module.
-        unsafe { &*self.nodes.cast::<N>().add(i as usize) }
+        unsafe { &*self.nodes.add(N::place(part)).cast() }
     }
 
-    /// A row of the bounds of node number `i`, likewise.
+    /// A row of the bounds of such a node.
     #[inline(always)]
-    pub fn bounds<N: AnyNode>(&self, i: u32, row: Row<N>) -> &'a N::Row {
+    pub fn bounds<N: AnyNode>(&self, part: u32, row: Row<N>) -> &'a N::Row {
         // SAFETY: see the module; a row lies in its node.
-        unsafe { &*self.nodes.cast::<N>().add(i as usize).byte_add(row.0).cast() }
+        unsafe { &*self.nodes.add(row.0 + N::place(part)).cast() }
     }
 
-    /// Fetches node number `i`: four lines, or two, in which 96 bytes are wherever they begin.
+    /// Fetches what a part's word names: four lines, which are a node or most of a leaf. Of nodes of
+    /// 96 bytes two are enough, wherever these begin.
     #[inline(always)]
-    pub fn fetch_node<N: AnyNode, L: Lanes>(&self, l: L, i: u32) {
-        let at = self.nodes.cast::<N>().wrapping_add(i as usize).cast::<[u8; 64]>();
-        (0..size_of::<N>().div_ceil(64)).for_each(|line| l.prefetch(at.wrapping_add(line)));
-    }
-
-    /// Fetches most of a leaf that begins with triangle number `i`: four lines.
-    #[inline(always)]
-    pub fn fetch_leaf<L: Lanes>(&self, l: L, i: u32) {
-        let at = self.triangles.wrapping_add(i as usize).cast::<[u8; 64]>();
-        (0..4).for_each(|line| l.prefetch(at.wrapping_add(line)));
+    pub fn fetch_part<N: AnyNode, L: Lanes>(&self, l: L, part: u32) {
+        let node = self.nodes.wrapping_add(N::place(part));
+        // The number of triangles, in the lower bits, makes less than a triangle of it.
+        let place = part as usize * (size_of::<Triangle>() >> LEAF_SHIFT);
+        let leaf = self.triangles.cast::<u8>().wrapping_add(place);
+        let is_node = part & NODE == NODE;
+        let lines = select_unpredictable(is_node, node, leaf).cast::<[u8; 64]>();
+        (0..2).for_each(|line| l.prefetch(lines.wrapping_add(line)));
+        if !is_node || size_of::<N>() > 128 {
+            (2..4).for_each(|line| l.prefetch(lines.wrapping_add(line)));
+        }
     }
 
     /// Voxel number `i` of some grid.
@@ -316,7 +320,8 @@ pub(crate) struct Axis<'a> {
 
 impl<'a> Axis<'a> {
     /// Those of the corners of a triangle, from three times its number, which is a
-    /// reference's, a leaf's or below one of these; the fourth number means nothing.
+    /// reference's, a leaf's, below one of these or in a leaf's eight, where there may be no such
+    /// triangle and numbers mean nothing; the fourth number never does.
     #[inline(always)]
     pub fn row(&self, thrice: u32) -> &'a [f32; 4] {
         // SAFETY: see the module; a triangle is three rows.

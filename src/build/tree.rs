@@ -29,7 +29,7 @@ use super::frame::unit;
 use super::gather::Soup;
 use super::scratch::Scratch;
 use crate::Error;
-use crate::arena::node::{MAX_DEPTH, Node, PART_SHIFT, TREE_UNITS};
+use crate::arena::node::{LEAF_SHIFT, MAX_DEPTH, NODE_SHIFT, Node, TREE_UNITS};
 use collapse::Collapse;
 use costs::Costs;
 use curve::{Key, sorted};
@@ -40,7 +40,10 @@ use reinsert::reinsert;
 use rows::{Rows, WORDS};
 
 /// Triangles above which parts' places do not fit a node's words.
-pub const MOST: usize = 1 << (32 - PART_SHIFT);
+pub const MOST: usize = 1 << (32 - LEAF_SHIFT);
+
+// Nor would there be too many nodes: less than one for three triangles, by `capacity`.
+const _: () = assert!(MOST / 3 < 1 << (32 - NODE_SHIFT));
 
 /// By how much a descent meets boxes early and late, where the ray begins in the scene
 /// (`trace::descent`).

@@ -7,7 +7,7 @@
 use core::mem::MaybeUninit;
 
 /// Room for `N` words.
-pub struct Room<const N: usize>([MaybeUninit<u64>; N]);
+pub struct Room<const N: usize>([MaybeUninit<i64>; N]);
 
 impl<const N: usize> Room<N> {
     #[inline(always)]
@@ -18,7 +18,7 @@ impl<const N: usize> Room<N> {
 
 /// Up to `N` words. Their number is apart from them, so that it can be in a register.
 pub struct Stack<'r, const N: usize> {
-    words: &'r mut [MaybeUninit<u64>; N],
+    words: &'r mut [MaybeUninit<i64>; N],
     len: usize,
 }
 
@@ -36,7 +36,7 @@ impl<'r, const N: usize> Stack<'r, N> {
 
     /// Puts a word on top; one that there is no room for is lost.
     #[inline(always)]
-    pub fn push(&mut self, word: u64) {
+    pub fn push(&mut self, word: i64) {
         if let Some(slot) = self.words.get_mut(self.len) {
             slot.write(word);
             self.len += 1;
@@ -46,7 +46,7 @@ impl<'r, const N: usize> Stack<'r, N> {
     /// Puts a word among those from number `base` on, which descend to the top, at its place;
     /// one that there is no room for is lost.
     #[inline(always)]
-    pub fn insert(&mut self, base: usize, word: u64) {
+    pub fn insert(&mut self, base: usize, word: i64) {
         if self.len >= N {
             return;
         }
@@ -66,7 +66,7 @@ impl<'r, const N: usize> Stack<'r, N> {
 
     /// Takes the word on top.
     #[inline(always)]
-    pub fn pop(&mut self) -> Option<u64> {
+    pub fn pop(&mut self) -> Option<i64> {
         self.len = self.len.checked_sub(1)?;
         // SAFETY: it was one of the first `len` words.
         Some(unsafe { self.words[self.len].assume_init() })

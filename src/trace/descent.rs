@@ -24,7 +24,7 @@ pub(super) use slabs::{Boxes, Start};
 
 use super::query::{Query, decide};
 use super::sieve::{FARTHEST, Sieve};
-use crate::arena::node::{LEAF, MAX_DEPTH, NODE, PART_SHIFT, PARTS, TREE_UNITS};
+use crate::arena::node::{LEAF, LEAF_SHIFT, MAX_DEPTH, NODE, PARTS, TREE_UNITS};
 use crate::arena::{Sections, View};
 use crate::ray::Ray;
 use crate::simd::{Lanes, Room, Stack};
@@ -34,9 +34,6 @@ use slabs::Slabs;
 const FAR: f32 = 1024.0;
 /// Longest component of a direction; its reciprocal is the shortest that the longest can be.
 const FASTEST: f32 = (1 << 20) as f32;
-/// Flipped, it lets what is entered at a negative tau come first: where tau 0 is, or before it,
-/// in whatever order.
-const SIGN: u32 = 1 << 31;
 /// Parts that wait: seven of each node on the way, and one.
 const WAITING: usize = (PARTS - 1) * MAX_DEPTH + 1;
 
@@ -50,8 +47,6 @@ pub(super) struct Descent<'a, Q, N, L: Lanes> {
     ray: &'a Ray,
     /// Made where the first triangles are met: many rays meet none.
     sieve: Option<Sieve<'a>>,
-    /// Eight triangles from here on are the last of the scene.
-    last: u32,
     unit: f32,
     /// No tau above it is of interest.
     to: f32,
@@ -91,7 +86,6 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
             sections: view.sections(),
             ray,
             sieve: None,
-            last: header.triangles.count as u32 - LEAF,
             unit,
             to: beyond(ray.tmax, unit),
             query: PhantomData,
@@ -113,15 +107,14 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         let mut part = NODE;
         loop {
             while part & NODE == NODE {
-                let number = part >> PART_SHIFT;
-                let (met, entries) = slabs.meet(self.lanes, &self.sections, number, self.to);
-                let parts = self.sections.node::<N>(number).parts();
+                let (met, entries) = slabs.meet(self.lanes, &self.sections, part, self.to);
+                let parts = self.sections.node::<N>(part).parts();
                 let Some(next) = self.choose(parts, met, entries, &mut waiting) else {
                     return;
                 };
                 part = next;
             }
-            if self.leaf(part >> PART_SHIFT, part & NODE, query) {
+            if self.leaf(part >> LEAF_SHIFT, part & NODE, query) {
                 return;
             }
             let Some(next) = self.next(&mut waiting) else { return };
@@ -205,17 +198,13 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         array
     }
 
-    /// A part that is to wait: where the ray enters it, for the order, and its word.
+    /// A part that is to wait: where the ray enters it, for the order, and its word. What is entered
+    /// at a negative tau comes first, in whatever order.
     #[inline(always)]
-    fn entry(&self, parts: &[u32; PARTS], entries: &[f32; PARTS], i: usize) -> u64 {
+    fn entry(&self, parts: &[u32; PARTS], entries: &[f32; PARTS], i: usize) -> i64 {
         let part = parts[i];
-        let place = part >> PART_SHIFT;
-        if part & NODE == NODE {
-            self.sections.fetch_node::<N, L>(self.lanes, place);
-        } else {
-            self.sections.fetch_leaf(self.lanes, place);
-        }
-        u64::from(entries[i].to_bits() ^ SIGN) << 32 | u64::from(part)
+        self.sections.fetch_part::<N, L>(self.lanes, part);
+        i64::from(entries[i].to_bits()) << 32 | i64::from(part)
     }
 
     /// The next part that waits and is not behind what was found.
@@ -223,7 +212,7 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
     fn next(&self, waiting: &mut Stack<'_, WAITING>) -> Option<u32> {
         loop {
             let entry = waiting.pop()?;
-            if f32::from_bits((entry >> 32) as u32 ^ SIGN) <= self.to {
+            if f32::from_bits((entry >> 32) as u32) <= self.to {
                 return Some(entry as u32);
             }
         }
@@ -233,10 +222,7 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
     #[inline(always)]
     fn leaf(&mut self, first: u32, count: u32, query: &mut Q) -> bool {
         let l = self.lanes;
-        // Eight from here on exist, and the leaf's are among them.
-        let start = first.min(self.last);
-        let mut of_leaf = !(u32::MAX << count) << (first - start);
-        let mut start = start;
+        let (mut start, mut of_leaf) = (first, !(u32::MAX << count));
         while of_leaf != 0 {
             let sieved = self.sieve().run(l, start);
             let mut left = of_leaf & (u32::MAX >> (32 - L::WIDE)) & !sieved.out;

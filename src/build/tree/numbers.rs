@@ -3,7 +3,7 @@
 use super::MARGIN;
 use super::collapse::Collapse;
 use crate::Error;
-use crate::arena::node::{LEAF, NODE, Node, PART_SHIFT, PARTS};
+use crate::arena::node::{LEAF, LEAF_SHIFT, NODE, NODE_SHIFT, Node, PARTS};
 use crate::build::control::{Control, TASKS, parts};
 use crate::build::scratch::cut;
 
@@ -116,11 +116,11 @@ fn name(tree: &Collapse<'_, '_>, node: &mut Node, next: &mut Named, rest: &mut R
         let (len, i) = (*part, core::mem::take(reserved));
         if len > LEAF {
             cut(&mut rest.known, 1)[0] = i;
-            *part = (next.nodes as u32) << PART_SHIFT | NODE;
+            *part = (next.nodes as u32) << NODE_SHIFT | NODE;
             next.nodes += 1;
         } else if len > 0 {
             tree.triangles(i, cut(&mut rest.order, len as usize));
-            *part = (next.triangles as u32) << PART_SHIFT | len;
+            *part = (next.triangles as u32) << LEAF_SHIFT | len;
             next.triangles += len as usize;
         }
     }
