@@ -120,27 +120,67 @@ impl Hit {
         }
     }
 
-    /// A record that is stored by sixteen bytes, as it will be copied by sixteen: of bytes
-    /// that narrower stores have just written, a wide load has to wait until they are in
-    /// the cache.
-    #[inline(always)]
-    pub(crate) fn in_rows([t, u, v]: [f32; 3], ng: [f32; 3], [geom, prim]: [u32; 2]) -> Self {
-        let [x, y, z] = ng;
-        let first = glam::Vec4::new(t, u, v, x);
-        let second = glam::Vec4::new(y, z, f32::from_bits(geom), f32::from_bits(prim));
-        let rows = [first.to_array(), second.to_array()];
-        bytemuck::cast::<[u32; 10], Self>({
-            let mut words = [0; 10];
-            words[..8].copy_from_slice(bytemuck::cast_slice(&rows));
-            words[8] = NONE;
-            words
-        })
-    }
-
     /// Whether a triangle was met.
     #[must_use]
     pub const fn is_hit(&self) -> bool {
         self.geom != NONE
+    }
+}
+
+/// The first 32 bytes of a [`Hit`], of which the others are always the same. They are stored by
+/// sixteen, as they will be copied by sixteen: of bytes that narrower stores have just written, a
+/// wide load has to wait until they are in the cache.
+#[derive(Clone, Copy)]
+pub(crate) struct Start {
+    /// t, u, v and the normal's x.
+    first: glam::Vec4,
+    /// The normal's y and z, geometry and primitive.
+    second: glam::Vec4,
+}
+
+impl Start {
+    #[inline(always)]
+    pub fn new([t, u, v]: [f32; 3], [x, y, z]: [f32; 3], [geom, prim]: [u32; 2]) -> Self {
+        Self {
+            first: glam::Vec4::new(t, u, v, x),
+            second: glam::Vec4::new(y, z, f32::from_bits(geom), f32::from_bits(prim)),
+        }
+    }
+
+    /// That of [`Hit::miss`].
+    #[inline(always)]
+    pub fn miss(tmax: f32) -> Self {
+        Self::new([tmax, 0.0, 0.0], [0.0; 3], [NONE; 2])
+    }
+
+    #[inline(always)]
+    pub fn t(&self) -> f32 {
+        self.first.x
+    }
+
+    /// Geometry and primitive.
+    #[inline(always)]
+    pub fn ids(&self) -> (u32, u32) {
+        (self.second.z.to_bits(), self.second.w.to_bits())
+    }
+
+    #[inline(always)]
+    pub fn set_weights(&mut self, (u, v): (f32, f32)) {
+        (self.first.y, self.first.z) = (u, v);
+    }
+
+    #[inline(always)]
+    pub fn set_normal(&mut self, [x, y, z]: [f32; 3]) {
+        (self.first.w, self.second.x, self.second.y) = (x, y, z);
+    }
+
+    #[inline(always)]
+    pub fn hit(&self) -> Hit {
+        let rows = [self.first.to_array(), self.second.to_array()];
+        let mut words = [0; 10];
+        words[..8].copy_from_slice(bytemuck::cast_slice(&rows));
+        words[8] = NONE;
+        bytemuck::cast::<[u32; 10], Hit>(words)
     }
 }
 

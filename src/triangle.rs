@@ -23,7 +23,7 @@ use crate::ray::Ray;
 use crate::simd::Lanes;
 
 pub use estimate::{Apex, normal};
-use estimate::{E, Estimate, Range, Sides, sum};
+use estimate::{E, Estimate, Range, Sides};
 use judge::{Judged, Place};
 
 type Vector = [f64; 3];
@@ -54,11 +54,12 @@ impl Corners for Triangle {
     }
 }
 
-/// A hit: the rounded `t`, and the rounded weights `u` and `v` if they are as easily
-/// known.
+/// A hit: the rounded `t`, and the rounded weights `u` and `v` and the [`normal`] if they are as
+/// easily known.
 pub struct Met {
     pub t: f32,
     pub weights: Option<(f32, f32)>,
+    pub normal: Option<[f32; 3]>,
 }
 
 /// A ray made ready for many triangles.
@@ -118,46 +119,44 @@ impl Line {
             Sides::Inside => {
                 let t = near.t();
                 let weights = if t.low == t.high { near.rounded_weights() } else { None };
-                self.met_inside(Place { t, weights }, triangle, tmax)
+                let t = self.t_in_range(&t, triangle, tmax)?;
+                Some(Met { t, weights, normal: Some(apex.normal()) })
             }
             Sides::Unsure => {
                 let t = self.meet_exactly(triangle.all(), tmax)?;
-                Some(Met { t, weights: None })
+                Some(Met { t, weights: None, normal: None })
             }
         }
     }
 
-    /// [`Line::meet`] in lanes, which takes half the time.
+    /// t where the line is inside, if it is in range.
     #[inline(always)]
-    pub fn meet_in<L: Lanes>(&self, l: L, triangle: &Triangle, tmax: f32) -> Option<Met> {
-        let judged = Judged::new(l, self, triangle);
-        match judged.sides {
-            Sides::Outside => None,
-            Sides::Inside if self.flags != 0 && self.culls(judged.is_front()) => None,
-            Sides::Inside => self.met_inside(judged.place(l), triangle, tmax),
-            Sides::Unsure => {
-                let t = self.meet_exactly(triangle.all(), tmax)?;
-                Some(Met { t, weights: None })
-            }
-        }
-    }
-
-    /// The hit where the line is inside, if it is in range.
-    #[inline(always)]
-    fn met_inside(
-        &self,
-        Place { t, weights }: Place,
-        triangle: &impl Corners,
-        tmax: f32,
-    ) -> Option<Met> {
+    fn t_in_range(&self, t: &Range, triangle: &impl Corners, tmax: f32) -> Option<f32> {
         if t.low == t.high {
-            let t = self.in_range(t.low, tmax)?;
-            Some(Met { t, weights })
+            self.in_range(t.low, tmax)
         } else if t.high < self.tmin || t.low > tmax {
             None
         } else {
-            let t = self.in_range(self.t_inside(triangle.all()), tmax)?;
-            Some(Met { t, weights: None })
+            self.in_range(self.t_inside(triangle.all()), tmax)
+        }
+    }
+
+    /// [`Line::meet`] of a ray, in lanes, which takes half the time.
+    #[inline(always)]
+    pub fn meet_in<L: Lanes>(l: L, ray: &Ray, triangle: &Triangle, tmax: f32) -> Option<Met> {
+        let (line, judged) = (Self::new(ray), Judged::new(l, ray, triangle));
+        match judged.sides {
+            Sides::Outside => None,
+            Sides::Inside if ray.flags != 0 && line.culls(judged.is_front()) => None,
+            Sides::Inside => {
+                let Place { t, weights } = judged.place(l);
+                let t = line.t_in_range(&t, triangle, tmax)?;
+                Some(Met { t, weights, normal: Some(judged.normal(l)) })
+            }
+            Sides::Unsure => {
+                let t = line.meet_exactly(triangle.all(), tmax)?;
+                Some(Met { t, weights: None, normal: None })
+            }
         }
     }
 
@@ -173,15 +172,15 @@ impl Line {
         }
     }
 
-    /// [`Line::pierces`] in lanes, likewise.
+    /// [`Line::pierces`] of a ray, in lanes, likewise.
     #[inline(always)]
-    pub fn pierces_in<L: Lanes>(&self, l: L, triangle: &Triangle, tmax: f32) -> bool {
-        let judged = Judged::new(l, self, triangle);
+    pub fn pierces_in<L: Lanes>(l: L, ray: &Ray, triangle: &Triangle, tmax: f32) -> bool {
+        let (line, judged) = (Self::new(ray), Judged::new(l, ray, triangle));
         match judged.sides {
             Sides::Outside => false,
-            Sides::Inside if self.flags != 0 && self.culls(judged.is_front()) => false,
-            Sides::Inside => self.pierces_inside(&judged.place(l).t, triangle, tmax),
-            Sides::Unsure => self.meet_exactly(triangle.all(), tmax).is_some(),
+            Sides::Inside if ray.flags != 0 && line.culls(judged.is_front()) => false,
+            Sides::Inside => line.pierces_inside(&judged.place(l).t, triangle, tmax),
+            Sides::Unsure => line.meet_exactly(triangle.all(), tmax).is_some(),
         }
     }
 

@@ -136,14 +136,8 @@ impl Lanes for Neon {
             bits(vcombine_u32(vmovn_u64(low), vmovn_u64(high)), 15)
         };
         fn mul_add_f64(self, a: F64, b: F64, c: F64) -> F64 = halves!(vfmaq_f64, c, a, b);
-        fn cross_f64(self, a: F64, b: F64, c: F64, d: F64) -> F64 = {
-            let first = halves!(vmulq_f64, a, b);
-            halves!(vfmsq_f64, first, c, d)
-        };
-        fn next_f64(self, a: F64) -> F64 =
-            F64(vextq_f64::<1>(a.0, a.1), vcopyq_laneq_f64::<1, 0>(a.0, a.1));
-        fn with_first(self, a: F64, b: F64) -> F64 = F64(vcopyq_laneq_f64::<0, 0>(a.0, b.0), a.1);
-        fn with_last(self, a: F64, b: F64) -> F64 = F64(a.0, vcopyq_laneq_f64::<1, 0>(a.1, b.0));
+        fn next_f64(self, a: F64) -> F64 = F64(vextq_f64::<1>(a.0, a.1), a.0);
+        fn with_last(self, a: F64, b: F64) -> F64 = F64(a.0, vcopyq_laneq_f64::<1, 0>(a.1, b.1));
         fn array_f64(self, a: F64) -> [f64; 4] = {
             let mut array = [0.0; 4];
             vst1q_f64(array.as_mut_ptr(), a.0);
@@ -155,6 +149,7 @@ impl Lanes for Neon {
 
         fn load_f32(self, a: &[f32; 4]) -> F32 = vld1q_f32(a.as_ptr());
         fn load3(self, a: &[f32; 4]) -> F32 = vsetq_lane_f32::<3>(0.0, vld1q_f32(a.as_ptr()));
+        fn with_third(self, a: F32, b: F32) -> F32 = vcopyq_laneq_f32::<2, 2>(a, b);
         fn splat_f32(self, a: f32) -> F32 = vdupq_n_f32(a);
         fn narrow(self, a: F64) -> F32 = vcvt_high_f32_f64(vcvt_f32_f64(a.0), a.1);
         fn to_f32(self, a: I32) -> F32 = vcvtq_f32_s32(a);

@@ -62,13 +62,9 @@ pub(crate) trait Lanes: Copy + 'static {
     fn any_outside(self, a: Self::F64, n: Self::F64) -> bool;
     /// `a * b + c`, rounded once or twice.
     fn mul_add_f64(self, a: Self::F64, b: Self::F64, c: Self::F64) -> Self::F64;
-    /// `a * b - c * d`, rounded twice or three times.
-    fn cross_f64(self, a: Self::F64, b: Self::F64, c: Self::F64, d: Self::F64) -> Self::F64;
-    /// Lanes 1, 2, 0 and 2.
+    /// Lanes 1, 2, 0 and 1.
     fn next_f64(self, a: Self::F64) -> Self::F64;
-    /// `a` with the first lane of `b` as its first.
-    fn with_first(self, a: Self::F64, b: Self::F64) -> Self::F64;
-    /// `a` with the first lane of `b` as its last.
+    /// `a` with the third lane of `b` as its last.
     fn with_last(self, a: Self::F64, b: Self::F64) -> Self::F64;
     /// One bit for each lane in which `a > b`.
     fn above_f64(self, a: Self::F64, b: Self::F64) -> u32;
@@ -82,6 +78,8 @@ pub(crate) trait Lanes: Copy + 'static {
     /// Three lanes, and 0 in the fourth.
     fn load3(self, a: &[f32; 4]) -> Self::F32;
     fn splat_f32(self, a: f32) -> Self::F32;
+    /// `a` with the third lane of `b` as its third.
+    fn with_third(self, a: Self::F32, b: Self::F32) -> Self::F32;
     fn narrow(self, a: Self::F64) -> Self::F32;
     fn to_f32(self, a: Self::I32) -> Self::F32;
     fn mul_f32(self, a: Self::F32, b: Self::F32) -> Self::F32;

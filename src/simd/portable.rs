@@ -74,13 +74,11 @@ impl Lanes for Portable {
             (0..3).any(|k| a[k] < 0.0 || a[k] > n[k]);
         fn mul_add_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] =
             core::array::from_fn(|k| a[k] * b[k] + c[k]);
-        fn cross_f64(self, a: [f64; 4], b: [f64; 4], c: [f64; 4], d: [f64; 4]) -> [f64; 4] =
-            core::array::from_fn(|k| a[k] * b[k] - c[k] * d[k]);
-        fn next_f64(self, [x, y, z, _]: [f64; 4]) -> [f64; 4] = [y, z, x, z];
-        fn with_first(self, [_, y, z, w]: [f64; 4], b: [f64; 4]) -> [f64; 4] = [b[0], y, z, w];
-        fn with_last(self, [x, y, z, _]: [f64; 4], b: [f64; 4]) -> [f64; 4] = [x, y, z, b[0]];
+        fn next_f64(self, [x, y, z, _]: [f64; 4]) -> [f64; 4] = [y, z, x, y];
+        fn with_last(self, [x, y, z, _]: [f64; 4], b: [f64; 4]) -> [f64; 4] = [x, y, z, b[2]];
         fn array_f64(self, a: [f64; 4]) -> [f64; 4] = a;
         fn load_f32(self, a: &[f32; 4]) -> [f32; 4] = *a;
+        fn with_third(self, [x, y, _, w]: [f32; 4], b: [f32; 4]) -> [f32; 4] = [x, y, b[2], w];
         fn load3(self, [x, y, z, _]: &[f32; 4]) -> [f32; 4] = [*x, *y, *z, 0.0];
         fn narrow(self, a: [f64; 4]) -> [f32; 4] = a.map(|x| x as f32);
         fn to_f32(self, a: [i32; 4]) -> [f32; 4] = a.map(|x| x as f32);

@@ -107,11 +107,11 @@ impl Query for Collect<'_> {
     fn meet_in<L: Lanes>(
         &mut self,
         _: L,
-        line: &Line,
+        ray: &Ray,
         triangle: &Triangle,
         _: u32,
     ) -> Option<bool> {
-        self.take(line, triangle).then_some(false)
+        self.take(&Line::new(ray), triangle).then_some(false)
     }
 
     /// No packet collects.

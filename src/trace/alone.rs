@@ -15,7 +15,7 @@ pub(super) fn meet(line: &Line, triangle: &Triangle, limit: f32) -> Option<Met> 
 
 /// The record of a hit.
 #[inline(never)]
-pub(super) fn record(line: &Line, triangle: &Triangle, Met { t, weights }: Met) -> Hit {
+pub(super) fn record(line: &Line, triangle: &Triangle, Met { t, weights, .. }: Met) -> Hit {
     let (u, v) = weights.unwrap_or_else(|| line.weights(triangle));
     let ng = line.apex(triangle).normal();
     Hit { t, u, v, ng, geom: triangle.geom, prim: triangle.prim, ..Hit::miss(t) }

@@ -2,7 +2,7 @@
 
 use crate::arena::Sections;
 use crate::arena::layout::Triangle;
-use crate::ray::{Hit, NONE, Ray};
+use crate::ray::{Hit, NONE, Ray, Start};
 use crate::simd::{Kernel, Lanes};
 use crate::triangle::{Apex, Line, Met, normal};
 
@@ -35,7 +35,7 @@ pub(crate) trait Query: Copy {
     fn meet_in<L: Lanes>(
         &mut self,
         l: L,
-        line: &Line,
+        ray: &Ray,
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool>;
@@ -67,18 +67,19 @@ impl Last {
 /// The hit of smallest `t`, ties by lowest geometry, then primitive.
 #[derive(Clone, Copy)]
 pub(crate) struct Closest {
-    limit: f32,
-    geom: u32,
-    prim: u32,
+    /// As far as it is known.
+    hit: Start,
     number: u32,
-    weights: Option<(f32, f32)>,
+    /// Whether the weights are known, and the normal.
+    weights: bool,
+    normal: bool,
 }
 
 impl Closest {
     /// Whether a hit comes before that found so far.
     #[inline(always)]
     fn prefers(&self, met: &Met, triangle: &Triangle) -> bool {
-        met.t < self.limit || (triangle.geom, triangle.prim) < (self.geom, self.prim)
+        met.t < self.limit() || (triangle.geom, triangle.prim) < self.hit.ids()
     }
 }
 
@@ -87,17 +88,17 @@ impl Query for Closest {
 
     #[inline(always)]
     fn miss(ray: &Ray) -> Hit {
-        Hit::in_rows([ray.tmax, 0.0, 0.0], [0.0; 3], [NONE; 2])
+        Start::miss(ray.tmax).hit()
     }
 
     #[inline(always)]
     fn new(ray: &Ray) -> Self {
-        Self { limit: ray.tmax, geom: NONE, prim: NONE, number: NONE, weights: None }
+        Self { hit: Start::miss(ray.tmax), number: NONE, weights: true, normal: true }
     }
 
     #[inline(always)]
     fn limit(&self) -> f32 {
-        self.limit
+        self.hit.t()
     }
 
     #[inline(always)]
@@ -108,7 +109,7 @@ impl Query for Closest {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool> {
-        let met = line.meet(apex, triangle, self.limit)?;
+        let met = line.meet(apex, triangle, self.limit())?;
         Some(self.take_met(met, triangle, number))
     }
 
@@ -116,19 +117,25 @@ impl Query for Closest {
     fn meet_in<L: Lanes>(
         &mut self,
         l: L,
-        line: &Line,
+        ray: &Ray,
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool> {
-        let met = line.meet_in(l, triangle, self.limit)?;
+        let met = Line::meet_in(l, ray, triangle, self.limit())?;
         Some(self.take_met(met, triangle, number))
     }
 
     #[inline(always)]
     fn take_met(&mut self, met: Met, triangle: &Triangle, number: u32) -> bool {
         if self.prefers(&met, triangle) {
-            let (Met { t, weights }, Triangle { geom, prim, .. }) = (met, *triangle);
-            *self = Self { limit: t, geom, prim, number, weights };
+            let (u, v) = met.weights.unwrap_or_default();
+            let normal = met.normal.unwrap_or_default();
+            *self = Self {
+                hit: Start::new([met.t, u, v], normal, [triangle.geom, triangle.prim]),
+                number,
+                weights: met.weights.is_some(),
+                normal: met.normal.is_some(),
+            };
         }
         false
     }
@@ -141,15 +148,17 @@ impl Query for Closest {
 
     #[inline(always)]
     fn found_next(&self, sections: &Sections<'_>, ray: &Ray, last: &mut Last) -> Hit {
-        if self.number == NONE {
-            return Self::miss(ray);
+        let mut hit = self.hit;
+        if !self.normal {
+            if self.number != last.number {
+                *last = Last { number: self.number, normal: normal(sections.triangle(self.number)) };
+            }
+            hit.set_normal(last.normal);
         }
-        let triangle = sections.triangle(self.number);
-        if self.number != last.number {
-            *last = Last { number: self.number, normal: normal(triangle) };
+        if !self.weights {
+            hit.set_weights(Line::new(ray).weights(sections.triangle(self.number)));
         }
-        let (u, v) = self.weights.unwrap_or_else(|| Line::new(ray).weights(triangle));
-        Hit::in_rows([self.limit, u, v], last.normal, [self.geom, self.prim])
+        hit.hit()
     }
 }
 
@@ -189,11 +198,11 @@ impl Query for Any {
     fn meet_in<L: Lanes>(
         &mut self,
         l: L,
-        line: &Line,
+        ray: &Ray,
         triangle: &Triangle,
         _: u32,
     ) -> Option<bool> {
-        self.found = line.pierces_in(l, triangle, self.tmax);
+        self.found = Line::pierces_in(l, ray, triangle, self.tmax);
         self.found.then_some(true)
     }
 
@@ -244,7 +253,7 @@ pub(super) fn meet_visible<Q: Query, L: Lanes>(
     if !visible(ray, triangle) {
         None
     } else if L::REGISTERS {
-        query.meet_in(l, line, triangle, number)
+        query.meet_in(l, ray, triangle, number)
     } else {
         query.meet(line, triangle, number)
     }

@@ -98,20 +98,12 @@ macro_rules! four_lanes {
             with!(_mm256_fmadd_pd(a, b, c))
         }
         #[inline(always)]
-        fn cross_f64(self, a: __m256d, b: __m256d, c: __m256d, d: __m256d) -> __m256d {
-            with!(_mm256_fmsub_pd(a, b, _mm256_mul_pd(c, d)))
-        }
-        #[inline(always)]
         fn next_f64(self, a: __m256d) -> __m256d {
-            with!(_mm256_permute4x64_pd::<0b10_00_10_01>(a))
-        }
-        #[inline(always)]
-        fn with_first(self, a: __m256d, b: __m256d) -> __m256d {
-            with!(_mm256_blend_pd::<0b0001>(a, b))
+            with!(_mm256_permute4x64_pd::<0b01_00_10_01>(a))
         }
         #[inline(always)]
         fn with_last(self, a: __m256d, b: __m256d) -> __m256d {
-            with!(_mm256_blend_pd::<0b1000>(a, _mm256_permute4x64_pd::<0>(b)))
+            with!(_mm256_blend_pd::<0b1000>(a, _mm256_movedup_pd(b)))
         }
         #[inline(always)]
         fn array_f64(self, a: __m256d) -> [f64; 4] {
@@ -146,6 +138,10 @@ macro_rules! four_lanes {
         #[inline(always)]
         fn splat_f32(self, a: f32) -> __m128 {
             with!(_mm_set1_ps(a))
+        }
+        #[inline(always)]
+        fn with_third(self, a: __m128, b: __m128) -> __m128 {
+            with!(_mm_blend_ps::<0b0100>(a, b))
         }
         #[inline(always)]
         fn narrow(self, a: __m256d) -> __m128 {

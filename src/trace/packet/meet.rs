@@ -302,7 +302,7 @@ impl<Q: Query, L: Lanes> Packet<'_, '_, Q, L> {
             let query = &mut self.queries[ray];
             if t <= query.limit() {
                 let weights = (four.weighed >> i & 1 != 0).then_some((u[i], v[i]));
-                let enough = query.take_met(Met { t, weights }, triangle, number);
+                let enough = query.take_met(Met { t, weights, normal: None }, triangle, number);
                 self.met(ray, enough);
             }
         }
