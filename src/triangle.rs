@@ -67,10 +67,60 @@ pub struct Met {
 pub struct Line {
     org: Vector,
     dir: Vector,
+    limits: Limits,
+}
+
+/// What hits of a ray have to be, but for the largest t.
+#[derive(Clone, Copy)]
+struct Limits {
     /// Finite, or positive infinity.
     tmin: f32,
     /// The ray's.
     flags: u32,
+}
+
+impl Limits {
+    #[inline(always)]
+    fn of(ray: &Ray) -> Self {
+        let tmin = if ray.tmin > f32::MIN { ray.tmin } else { f32::MIN };
+        Self { tmin, flags: ray.flags }
+    }
+
+    /// Whether the ray's flags leave out triangles that it comes to from this side.
+    #[inline(always)]
+    fn culls(self, front: bool) -> bool {
+        self.flags & (if front { Ray::CULL_FRONT } else { Ray::CULL_BACK }) != 0
+    }
+
+    #[inline(always)]
+    fn in_range(self, t: f32, tmax: f32) -> Option<f32> {
+        // Adding +0 turns -0 into +0 and changes nothing else.
+        (t >= self.tmin && t <= finite(tmax)).then_some(t + 0.0)
+    }
+
+    /// t, between two numbers or `exact`, if it is in range.
+    #[inline(always)]
+    fn of_range(self, t: &Range, tmax: f32, exact: impl FnOnce() -> f32) -> Option<f32> {
+        if t.low == t.high {
+            self.in_range(t.low, tmax)
+        } else if t.high < self.tmin || t.low > tmax {
+            None
+        } else {
+            self.in_range(exact(), tmax)
+        }
+    }
+
+    /// Whether [`Limits::of_range`] is something.
+    #[inline(always)]
+    fn hold(self, t: &Range, tmax: f32, exact: impl FnOnce() -> f32) -> bool {
+        if t.low >= self.tmin && t.high <= finite(tmax) {
+            true
+        } else if t.high < self.tmin || t.low > tmax {
+            false
+        } else {
+            self.in_range(exact(), tmax).is_some()
+        }
+    }
 }
 
 /// A `t` too large for `f32` is no hit: no ray could be ended there.
@@ -98,8 +148,7 @@ fn sub(a: Vector, b: Vector) -> Vector {
 impl Line {
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
-        let tmin = if ray.tmin > f32::MIN { ray.tmin } else { f32::MIN };
-        Self { org: double(ray.org), dir: double(ray.dir), tmin, flags: ray.flags }
+        Self { org: double(ray.org), dir: double(ray.dir), limits: Limits::of(ray) }
     }
 
     /// A triangle as seen from the origin.
@@ -112,14 +161,14 @@ impl Line {
     /// line's origin.
     #[inline(always)]
     pub fn meet(&self, apex: &Apex, triangle: &impl Corners, tmax: f32) -> Option<Met> {
-        let near = Estimate::new(apex, &self.dir);
+        let (near, limits) = (Estimate::new(apex, &self.dir), self.limits);
         match near.sides() {
             Sides::Outside => None,
-            Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => None,
+            Sides::Inside if limits.flags != 0 && limits.culls(near.is_front()) => None,
             Sides::Inside => {
                 let t = near.t();
                 let weights = if t.low == t.high { near.rounded_weights() } else { None };
-                let t = self.t_in_range(&t, triangle, tmax)?;
+                let t = limits.of_range(&t, tmax, || self.t_inside(triangle.all()))?;
                 Some(Met { t, weights, normal: Some(apex.normal()) })
             }
             Sides::Unsure => {
@@ -129,70 +178,15 @@ impl Line {
         }
     }
 
-    /// t where the line is inside, if it is in range.
-    #[inline(always)]
-    fn t_in_range(&self, t: &Range, triangle: &impl Corners, tmax: f32) -> Option<f32> {
-        if t.low == t.high {
-            self.in_range(t.low, tmax)
-        } else if t.high < self.tmin || t.low > tmax {
-            None
-        } else {
-            self.in_range(self.t_inside(triangle.all()), tmax)
-        }
-    }
-
-    /// [`Line::meet`] of a ray, in lanes, which takes half the time.
-    #[inline(always)]
-    pub fn meet_in<L: Lanes>(l: L, ray: &Ray, triangle: &Triangle, tmax: f32) -> Option<Met> {
-        let (line, judged) = (Self::new(ray), Judged::new(l, ray, triangle));
-        match judged.sides {
-            Sides::Outside => None,
-            Sides::Inside if ray.flags != 0 && line.culls(judged.is_front()) => None,
-            Sides::Inside => {
-                let Place { t, weights } = judged.place(l);
-                let t = line.t_in_range(&t, triangle, tmax)?;
-                Some(Met { t, weights, normal: Some(judged.normal(l)) })
-            }
-            Sides::Unsure => {
-                let t = line.meet_exactly(triangle.all(), tmax)?;
-                Some(Met { t, weights: None, normal: None })
-            }
-        }
-    }
-
     /// Whether there is a hit with `tmin <= t <= tmax`.
     #[inline(always)]
     pub fn pierces(&self, apex: &Apex, triangle: &impl Corners, tmax: f32) -> bool {
-        let near = Estimate::new(apex, &self.dir);
+        let (near, limits) = (Estimate::new(apex, &self.dir), self.limits);
         match near.sides() {
             Sides::Outside => false,
-            Sides::Inside if self.flags != 0 && self.culls(near.is_front()) => false,
-            Sides::Inside => self.pierces_inside(&near.t(), triangle, tmax),
+            Sides::Inside if limits.flags != 0 && limits.culls(near.is_front()) => false,
+            Sides::Inside => limits.hold(&near.t(), tmax, || self.t_inside(triangle.all())),
             Sides::Unsure => self.meet_exactly(triangle.all(), tmax).is_some(),
-        }
-    }
-
-    /// [`Line::pierces`] of a ray, in lanes, likewise.
-    #[inline(always)]
-    pub fn pierces_in<L: Lanes>(l: L, ray: &Ray, triangle: &Triangle, tmax: f32) -> bool {
-        let (line, judged) = (Self::new(ray), Judged::new(l, ray, triangle));
-        match judged.sides {
-            Sides::Outside => false,
-            Sides::Inside if ray.flags != 0 && line.culls(judged.is_front()) => false,
-            Sides::Inside => line.pierces_inside(&judged.place(l).t, triangle, tmax),
-            Sides::Unsure => line.meet_exactly(triangle.all(), tmax).is_some(),
-        }
-    }
-
-    /// Whether t is in range where the line is inside.
-    #[inline(always)]
-    fn pierces_inside(&self, t: &Range, triangle: &impl Corners, tmax: f32) -> bool {
-        if t.low >= self.tmin && t.high <= finite(tmax) {
-            true
-        } else if t.high < self.tmin || t.low > tmax {
-            false
-        } else {
-            self.in_range(self.t_inside(triangle.all()), tmax).is_some()
         }
     }
 
@@ -202,18 +196,6 @@ impl Line {
     pub fn weights(&self, triangle: &impl Corners) -> (f32, f32) {
         let near = Estimate::new(&self.apex(triangle), &self.dir);
         near.rounded_weights().unwrap_or_else(|| self.weights_exactly(triangle.all()))
-    }
-
-    /// Whether the ray's flags leave out triangles that it comes to from this side.
-    #[inline(always)]
-    fn culls(&self, front: bool) -> bool {
-        self.flags & (if front { Ray::CULL_FRONT } else { Ray::CULL_BACK }) != 0
-    }
-
-    #[inline(always)]
-    fn in_range(&self, t: f32, tmax: f32) -> Option<f32> {
-        // Adding +0 turns -0 into +0 and changes nothing else.
-        (t >= self.tmin && t <= finite(tmax)).then_some(t + 0.0)
     }
 
     /// As all that is rarely needed, of copies: what others point to would be kept in memory.
@@ -231,9 +213,9 @@ impl Line {
     #[cold]
     #[inline(never)]
     fn meet_exactly(self, corners: [[f32; 3]; 3], tmax: f32) -> Option<f32> {
-        let case = self.case(corners);
-        let t = case.t().and_then(|t| self.in_range(t, tmax));
-        t.filter(|_| self.flags == 0 || !self.culls(case.is_front()))
+        let (case, limits) = (self.case(corners), self.limits);
+        let t = case.t().and_then(|t| limits.in_range(t, tmax));
+        t.filter(|_| limits.flags == 0 || !limits.culls(case.is_front()))
     }
 
     #[cold]
@@ -241,6 +223,49 @@ impl Line {
     fn weights_exactly(self, corners: [[f32; 3]; 3]) -> (f32, f32) {
         self.case(corners).weights()
     }
+}
+
+/// [`Line::meet`] of a ray, in lanes, which takes half the time.
+#[inline(always)]
+pub fn meet<L: Lanes>(l: L, ray: &Ray, triangle: &Triangle, tmax: f32) -> Option<Met> {
+    let (limits, judged) = (Limits::of(ray), Judged::new(l, ray, triangle));
+    match judged.sides {
+        Sides::Outside => None,
+        Sides::Inside if limits.flags != 0 && limits.culls(judged.is_front()) => None,
+        Sides::Inside => {
+            let Place { t, weights } = judged.place(l);
+            let t = limits.of_range(&t, tmax, || t_inside(ray, triangle))?;
+            Some(Met { t, weights, normal: Some(judged.normal(l)) })
+        }
+        Sides::Unsure => {
+            let t = meet_exactly(ray, triangle, tmax)?;
+            Some(Met { t, weights: None, normal: None })
+        }
+    }
+}
+
+/// [`Line::pierces`] of a ray, in lanes, likewise.
+#[inline(always)]
+pub fn pierces<L: Lanes>(l: L, ray: &Ray, triangle: &Triangle, tmax: f32) -> bool {
+    let (limits, judged) = (Limits::of(ray), Judged::new(l, ray, triangle));
+    match judged.sides {
+        Sides::Outside => false,
+        Sides::Inside if limits.flags != 0 && limits.culls(judged.is_front()) => false,
+        Sides::Inside => limits.hold(&judged.place(l).t, tmax, || t_inside(ray, triangle)),
+        Sides::Unsure => meet_exactly(ray, triangle, tmax).is_some(),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn t_inside(ray: &Ray, triangle: &Triangle) -> f32 {
+    Line::new(ray).t_inside(triangle.all())
+}
+
+#[cold]
+#[inline(never)]
+fn meet_exactly(ray: &Ray, triangle: &Triangle, tmax: f32) -> Option<f32> {
+    Line::new(ray).meet_exactly(triangle.all(), tmax)
 }
 
 /// Whether the triangle has no area, exactly.

@@ -4,7 +4,7 @@ use crate::arena::Sections;
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, NONE, Ray, Start};
 use crate::simd::{Kernel, Lanes};
-use crate::triangle::{Apex, Line, Met, normal};
+use crate::triangle::{self, Apex, Line, Met, normal};
 
 /// What a walk looks for.
 pub(crate) trait Query: Copy {
@@ -121,7 +121,7 @@ impl Query for Closest {
         triangle: &Triangle,
         number: u32,
     ) -> Option<bool> {
-        let met = Line::meet_in(l, ray, triangle, self.limit())?;
+        let met = triangle::meet(l, ray, triangle, self.limit())?;
         Some(self.take_met(met, triangle, number))
     }
 
@@ -202,7 +202,7 @@ impl Query for Any {
         triangle: &Triangle,
         _: u32,
     ) -> Option<bool> {
-        self.found = Line::pierces_in(l, ray, triangle, self.tmax);
+        self.found = triangle::pierces(l, ray, triangle, self.tmax);
         self.found.then_some(true)
     }
 
@@ -236,17 +236,16 @@ impl<Q: Query, L: Lanes> Kernel<L> for Decide<'_, Q> {
     #[inline(always)]
     fn run(self, l: L) -> Option<bool> {
         let Self { query, ray, triangle, number } = self;
-        meet_visible(l, query, (ray, &Line::new(ray)), triangle, number)
+        meet_visible(l, query, ray, triangle, number)
     }
 }
 
-/// [`Query::meet`], in lanes where these are registers, if the ray, along its line, may meet the
-/// triangle.
+/// [`Query::meet`], in lanes where these are registers, if the ray may meet the triangle.
 #[inline(always)]
 pub(super) fn meet_visible<Q: Query, L: Lanes>(
     l: L,
     query: &mut Q,
-    (ray, line): (&Ray, &Line),
+    ray: &Ray,
     triangle: &Triangle,
     number: u32,
 ) -> Option<bool> {
@@ -255,7 +254,7 @@ pub(super) fn meet_visible<Q: Query, L: Lanes>(
     } else if L::REGISTERS {
         query.meet_in(l, ray, triangle, number)
     } else {
-        query.meet(line, triangle, number)
+        query.meet(&Line::new(ray), triangle, number)
     }
 }
 

@@ -11,7 +11,6 @@ use crate::arena::View;
 use crate::arena::node::{Node, QuantizedNode};
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Lanes, Portable, dispatch, fpenv};
-use crate::triangle::Line;
 
 /// Triangles up to which deciding all of them takes less time than to begin a walk.
 const FEW: u64 = 4;
@@ -165,10 +164,9 @@ impl View<'_> {
         if !usable(l, ray) {
             return Q::miss(ray);
         }
-        let line = Line::new(ray);
         let mut query = Q::new(ray);
         for (number, triangle) in (0..).zip(self.triangles()) {
-            if meet_visible(l, &mut query, (ray, &line), triangle, number) == Some(true) {
+            if meet_visible(l, &mut query, ray, triangle, number) == Some(true) {
                 break;
             }
         }
