@@ -66,7 +66,7 @@ impl<Q: Query> AnyKernel for Among<'_, Q> {
     }
 }
 
-/// A query of one ray in a scene that has a tree of such nodes; `None` if the ray is to walk.
+/// A query of one ray in a scene that has a tree of such nodes.
 struct Down<'a, Q, N> {
     view: &'a View<'a>,
     ray: &'a Ray,
@@ -74,21 +74,23 @@ struct Down<'a, Q, N> {
 }
 
 impl<Q: Query, N: Boxes> AnyKernel for Down<'_, Q, N> {
-    type Out = Option<Q::Out>;
+    type Out = Q::Out;
     const BEST: Isa = Isa::Avx2;
     #[inline(always)]
-    fn run_on<L: Lanes>(self, lanes: L) -> Option<Q::Out> {
+    fn run_on<L: Lanes>(self, lanes: L) -> Q::Out {
         let Self { view, ray, .. } = self;
-        let (mut descent, start) = Descent::<Q, N, L>::new(lanes, view, ray)?;
+        let Some((mut descent, start)) = Descent::<Q, N, L>::new(lanes, view, ray) else {
+            return view.walk::<Q>(ray);
+        };
         let mut query = Q::new(ray);
         descent.run(&start, view.header().occluders(), &mut query);
-        Some(query.found(&view.sections(), ray))
+        query.found(&view.sections(), ray)
     }
 
     // As with streams: where another set is nearly always there, this would be but size.
     #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
-    fn run_portable(self) -> Option<Q::Out> {
-        None
+    fn run_portable(self) -> Q::Out {
+        self.view.walk::<Q>(self.ray)
     }
 }
 
@@ -137,18 +139,22 @@ impl View<'_> {
                 return dispatch(Among::<Q> { view: self, ray, query: PhantomData });
             }
             if self.header().nodes.count > 0 && !C::COUNTS {
-                let down = if self.header().quantized == 0 {
+                return if self.header().quantized == 0 {
                     dispatch(Down::<Q, Node> { view: self, ray, query: PhantomData })
                 } else {
                     dispatch(Down::<Q, QuantizedNode> { view: self, ray, query: PhantomData })
                 };
-                if let Some(found) = down {
-                    return found;
-                }
             }
             let counters = &mut counters.meter();
             dispatch(Single { view: self, ray, query: Q::new(ray), counters })
         })
+    }
+
+    /// A query of a ray that is not for the tree.
+    #[cold]
+    #[inline(never)]
+    fn walk<Q: Query>(&self, ray: &Ray) -> Q::Out {
+        dispatch(Single { view: self, ray, query: Q::new(ray), counters: &mut Uncounted })
     }
 
     /// [`View::intersect`] by testing every triangle: the oracle that the
