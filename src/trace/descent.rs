@@ -53,13 +53,26 @@ pub(super) struct Descent<'a, Q, N, L: Lanes> {
     query: PhantomData<(Q, N)>,
 }
 
-/// A tau that no parameter that rounds to `limit` or less is above.
+/// By how much a parameter that rounds to a t may be off what is computed of that, `tau`.
 #[inline(always)]
-fn beyond(limit: f32, unit: f32) -> f32 {
+fn rounding<L: Lanes>(l: L, tau: f32) -> f32 {
+    let (size, by) = (l.splat_f32(tau.abs()), l.splat_f32(2.0 * f32::EPSILON));
+    l.first(l.mul_add::<false>(size, by, l.splat_f32(1.0 / (1u64 << 40) as f32)))
+}
+
+/// A tau that no parameter that rounds to `limit` or less is above. That of minus infinity is NaN,
+/// up to which nothing is met.
+#[inline(always)]
+fn beyond<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
     let tau = limit * unit;
-    // Of an infinite tau the product is not NaN, as a sum would be.
-    let ratio = if tau > 0.0 { 1.0 + 2.0 * f32::EPSILON } else { 1.0 - 2.0 * f32::EPSILON };
-    tau * ratio + 1.0 / (1u64 << 40) as f32
+    tau + rounding(l, tau)
+}
+
+/// A tau that no parameter that rounds to `limit` or more is below; likewise for infinity.
+#[inline(always)]
+fn before<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
+    let tau = limit * unit;
+    tau - rounding(l, tau)
 }
 
 impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
@@ -68,13 +81,13 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
     #[inline(always)]
     pub fn new(l: L, view: &View<'a>, ray: &'a Ray) -> Option<(Self, Start<L>)> {
         let [org, dir, _] = ray.rows();
-        let (org, dir) = (l.load3(org), l.load3(dir));
+        let (org, dir) = (l.load_f32(org), l.load_f32(dir));
         let header = view.header();
         let unit = header.unit as f32;
-        let place = l.mul_f32(l.sub_f32(org, l.load3(header.corners()[0])), l.splat_f32(unit));
+        let way = l.mul_f32(l.sub_f32(l.load_f32(header.corners()[0]), org), l.splat_f32(unit));
         let speed = l.abs_f32(dir);
         // One branch; NaN fails the comparisons.
-        let suits = l.all_below(place, FAR)
+        let suits = l.all_below(way, FAR)
             & l.all_below(dir, FASTEST)
             & (l.first(l.highest(speed)) > 1.0 / FASTEST)
             & (ray.tmin <= ray.tmax);
@@ -87,10 +100,10 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
             ray,
             sieve: None,
             unit,
-            to: beyond(ray.tmax, unit),
+            to: beyond(l, ray.tmax, unit),
             query: PhantomData,
         };
-        Some((descent, Start { place, dir, speed }))
+        Some((descent, Start { way, dir, speed }))
     }
 
     /// Goes down from the root; for any hit, `occluders` are met before. The query is not part of
@@ -101,7 +114,7 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         if Q::ANY && self.hidden(occluders, query) {
             return;
         }
-        let slabs = Slabs::<N, L>::new(self.lanes, start, -beyond(-self.ray.tmin, self.unit));
+        let slabs = Slabs::<N, L>::new(self.lanes, start, before(self.lanes, self.ray.tmin, self.unit));
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
         let mut part = NODE;
@@ -264,7 +277,7 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
             none => {
                 let (l, ray) = (self.lanes, self.ray);
                 let [org, dir, _] = ray.rows();
-                let rows = [l.load3(org), l.load3(dir)];
+                let rows = [l.load_f32(org), l.load_f32(dir)];
                 none.insert(Sieve::new(l, &self.sections, ray, rows, true))
             }
         }
@@ -279,9 +292,9 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         };
         let limit = query.limit();
         if let Some(sieve) = &mut self.sieve {
-            sieve.limit(limit);
+            sieve.limit(self.lanes, limit);
         }
-        self.to = beyond(limit, self.unit);
+        self.to = beyond(self.lanes, limit, self.unit);
         enough
     }
 }

@@ -117,22 +117,24 @@ impl<'a> Sieve<'a> {
         let axes = [axis(0), axis(1), axis(2)];
         rows[2][2] = -l.first(longest);
         let mut sieve = Self { axes, rows, pace, slack };
-        sieve.rows[2][0] = -sieve.end(-ray.tmin);
-        sieve.limit(ray.tmax);
+        let first = ray.tmin * pace;
+        sieve.rows[2][0] = first - sieve.room(l, first);
+        sieve.limit(l, ray.tmax);
         sieve
     }
 
-    /// The depth at t, and a little farther. A corner's z is off by one rounding, and so is this.
+    /// What is added to the depth at t, as a corner's z is off by one rounding, and so is this.
     #[inline(always)]
-    fn end(&self, t: f32) -> f32 {
-        let end = t * self.pace;
-        end + (end.abs() * (4.0 * f32::EPSILON) + self.slack)
+    fn room<L: Lanes>(&self, l: L, depth: f32) -> f32 {
+        let (size, by) = (l.splat_f32(depth.abs()), l.splat_f32(4.0 * f32::EPSILON));
+        l.first(l.mul_add::<false>(size, by, l.splat_f32(self.slack)))
     }
 
     /// Sets the largest t of interest.
     #[inline(always)]
-    pub fn limit(&mut self, limit: f32) {
-        self.rows[2][1] = self.end(limit);
+    pub fn limit<L: Lanes>(&mut self, l: L, limit: f32) {
+        let last = limit * self.pace;
+        self.rows[2][1] = last + self.room(l, last);
     }
 
     /// One bit for each of at most [`Lanes::WIDE`] triangles, from references, that

@@ -282,7 +282,7 @@ impl<'a, Q: Query, C: Count, L: Lanes> Walk<'a, Q, C, L> {
             return false;
         };
         self.counters.hit();
-        self.sieve.limit(self.query.limit());
+        self.sieve.limit(self.lanes, self.query.limit());
         enough
     }
 }

@@ -73,10 +73,11 @@ pub struct Slabs<N, L: Lanes> {
     far: [Row<N>; 3],
 }
 
-/// A ray in the tree's coordinates: where it begins, its direction, and the sizes of that.
+/// A ray in the tree's coordinates: the way from where it begins to their origin, its direction, and
+/// the sizes of that; fourth lanes mean nothing.
 #[derive(Clone, Copy)]
 pub struct Start<L: Lanes> {
-    pub place: L::F32,
+    pub way: L::F32,
     pub dir: L::F32,
     pub speed: L::F32,
 }
@@ -84,12 +85,12 @@ pub struct Start<L: Lanes> {
 impl<N: Boxes, L: Lanes> Slabs<N, L> {
     /// Those of a ray of which no tau below `from` is of interest.
     #[inline(always)]
-    pub fn new(l: L, &Start { place, dir, speed }: &Start<L>, from: f32) -> Self {
+    pub fn new(l: L, &Start { way, dir, speed }: &Start<L>, from: f32) -> Self {
         let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
-        let room = l.add_f32(l.abs_f32(place), l.splat_f32(2.0));
+        let room = l.add_f32(l.abs_f32(way), l.splat_f32(2.0));
         let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
         let pace = l.sign_f32(pace, dir);
-        let at = l.minus_f32(l.mul_f32(place, pace));
+        let at = l.mul_f32(way, pace);
         let enter = l.array_f32(l.sub_f32(at, room));
         let leave = l.array_f32(l.add_f32(at, room));
         let pace = l.array_f32(pace);

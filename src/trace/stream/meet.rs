@@ -145,7 +145,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
             if Q::ANY && enough {
                 self.recent.keep(number);
             }
-            self.sieves[slot].limit(flight.query.limit());
+            self.sieves[slot].limit(self.lanes, flight.query.limit());
             self.columns.stop[slot] = flight.stop();
         }
     }

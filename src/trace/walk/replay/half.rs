@@ -64,7 +64,7 @@ impl<Q: Query, L: Lanes> Walk<'_, Q, Uncounted, L> {
     fn rewind(&mut self) {
         self.query = Q::new(self.ray);
         self.decided = Decided::NONE;
-        self.sieve.limit(self.query.limit());
+        self.sieve.limit(self.lanes, self.query.limit());
     }
 
     /// Meets the triangles of a list, as [`Walk::grid`] does; the grids in it are calls of
