@@ -276,6 +276,16 @@ impl<'a> Sections<'a> {
         Axis { rows, marker: PhantomData }
     }
 
+    /// The triangles' coordinates along the axes, in this order.
+    #[inline(always)]
+    pub fn axes(&self, order: &Order) -> [Axis<'a>; 3] {
+        order.rows.map(|row| {
+            // SAFETY: a triangle starts with three rows, and there is at least one.
+            let rows = unsafe { self.triangles.cast::<u8>().add(row).cast() };
+            Axis { rows, marker: PhantomData }
+        })
+    }
+
     /// Triangle number `i`, from a reference or a leaf.
     #[inline(always)]
     pub fn triangle(&self, i: u32) -> &'a Triangle {
@@ -309,6 +319,32 @@ impl<N: AnyNode> Row<N> {
         }
         rows
     };
+}
+
+/// The three axes in some order.
+#[derive(Clone, Copy)]
+pub(crate) struct Order {
+    /// That order, for lanes; the fourth stays where it is.
+    pub lanes: [i32; 4],
+    /// How many bytes from a triangle's first coordinates.
+    rows: [usize; 3],
+}
+
+impl Order {
+    const fn new(lanes: [i32; 4]) -> Self {
+        let mut rows = [0; 3];
+        let mut k = 0;
+        while k < 3 {
+            assert!(0 <= lanes[k] && lanes[k] < 3);
+            rows[k] = lanes[k] as usize * size_of::<[f32; 4]>();
+            k += 1;
+        }
+        Self { lanes, rows }
+    }
+
+    /// For each axis a cyclic order in which it is third.
+    pub const THIRD: [Self; 3] =
+        [Self::new([1, 2, 0, 3]), Self::new([2, 0, 1, 3]), Self::new([0, 1, 2, 3])];
 }
 
 /// The coordinates of all triangles along an axis.

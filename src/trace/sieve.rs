@@ -39,7 +39,7 @@ mod sieved;
 
 use super::counters::Count;
 use crate::arena::layout::Triangle;
-use crate::arena::{Axis, Sections};
+use crate::arena::{Axis, Order, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
@@ -78,8 +78,8 @@ pub(super) const fn chunk<C: Count, L: Lanes>() -> usize {
 
 /// For each set of axes along which a direction is longest, a bit each: one of
 /// them third, the others before.
-const ORDER: [[i32; 4]; 8] = {
-    let (x, y, z) = ([1, 2, 0, 3], [2, 0, 1, 3], [0, 1, 2, 3]);
+static ORDER: [Order; 8] = {
+    let [x, y, z] = Order::THIRD;
     [z, x, y, x, z, x, y, x]
 };
 
@@ -104,17 +104,16 @@ impl<'a> Sieve<'a> {
     ) -> Self {
         let size = l.abs_f32(dir);
         let order = &ORDER[l.equals(size, l.highest(size)) as usize];
-        let (org, dir) = (l.permute(org, order), l.permute(dir, order));
+        let (org, dir) = (l.permute(org, &order.lanes), l.permute(dir, &order.lanes));
         let longest = l.permute(dir, &[2; 4]);
         let slope = l.div_f32(dir, longest);
-        let axis = |k: usize| sections.axis(order[k] as usize);
         let mut rows = [l.array_f32(org), l.array_f32(slope), [0.0; 4]];
         rows[1][2] = if holds { TINY } else { f32::INFINITY };
         let pace = l.first(longest).abs();
         // A t next to zero may have been rounded by up to half the least denormal. Not
         // just that much: processors take long to compute denormals.
         let slack = TINY + pace * TINY;
-        let axes = [axis(0), axis(1), axis(2)];
+        let axes = sections.axes(order);
         rows[2][2] = -l.first(longest);
         let mut sieve = Self { axes, rows, pace, slack };
         let first = ray.tmin * pace;
