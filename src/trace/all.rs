@@ -104,13 +104,7 @@ impl Query for Collect<'_> {
     }
 
     #[inline(always)]
-    fn meet_in<L: Lanes>(
-        &mut self,
-        _: L,
-        ray: &Ray,
-        triangle: &Triangle,
-        _: u32,
-    ) -> Option<bool> {
+    fn meet_in<L: Lanes>(&mut self, _: L, ray: &Ray, triangle: &Triangle, _: u32) -> Option<bool> {
         self.take(&Line::new(ray), triangle).then_some(false)
     }
 

@@ -114,7 +114,8 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         if Q::ANY && self.hidden(occluders, query) {
             return;
         }
-        let slabs = Slabs::<N, L>::new(self.lanes, start, before(self.lanes, self.ray.tmin, self.unit));
+        let slabs =
+            Slabs::<N, L>::new(self.lanes, start, before(self.lanes, self.ray.tmin, self.unit));
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
         let mut part = NODE;

@@ -151,7 +151,8 @@ impl Query for Closest {
         let mut hit = self.hit;
         if !self.normal {
             if self.number != last.number {
-                *last = Last { number: self.number, normal: normal(sections.triangle(self.number)) };
+                *last =
+                    Last { number: self.number, normal: normal(sections.triangle(self.number)) };
             }
             hit.set_normal(last.normal);
         }
@@ -195,13 +196,7 @@ impl Query for Any {
     }
 
     #[inline(always)]
-    fn meet_in<L: Lanes>(
-        &mut self,
-        l: L,
-        ray: &Ray,
-        triangle: &Triangle,
-        _: u32,
-    ) -> Option<bool> {
+    fn meet_in<L: Lanes>(&mut self, l: L, ray: &Ray, triangle: &Triangle, _: u32) -> Option<bool> {
         self.found = triangle::pierces(l, ray, triangle, self.tmax);
         self.found.then_some(true)
     }

@@ -29,6 +29,18 @@ pub fn part_at(bytes: &[u8], number: usize, part: usize) -> usize {
     record(bytes, NODES, number) + kind(bytes).parts.start + 4 * part
 }
 
+/// What a part's word says: the number of a node and [`IS_NODE`], or that of a leaf's first triangle
+/// and how many there are.
+pub fn named(word: u32) -> (u32, u32) {
+    let kind = word & 15;
+    (if kind == IS_NODE { word >> 5 } else { word >> 4 }, kind)
+}
+
+/// The word that says this.
+pub fn word_of(place: u32, kind: u32) -> u32 {
+    if kind == IS_NODE { place << 5 | kind } else { place << 4 | kind }
+}
+
 /// The parts of all nodes, in order: number of the node, which of its parts, and the word.
 pub fn parts(bytes: &[u8]) -> Vec<(usize, usize, u32)> {
     let places = (0..count(bytes, NODES)).flat_map(|node| (0..8).map(move |part| (node, part)));

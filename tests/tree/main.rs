@@ -8,7 +8,7 @@ mod bytes;
 mod common;
 mod work;
 
-use bytes::{bounds, each_bound, kind, part_at, parts, steps};
+use bytes::{bounds, each_bound, kind, named, part_at, parts, steps, word_of};
 use common::aligned::Aligned;
 use common::layout::*;
 use common::{adversarial_rays, assert_same, build, is_damage, ray};
@@ -67,7 +67,7 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
         let size = kind(bytes).size as u64;
         parts.sort_unstable_by_key(|&(number, _, word)| (number, word));
         for (_, _, word) in parts {
-            let (place, len) = (word >> 4, word & 15);
+            let (place, len) = named(word);
             if len == IS_NODE {
                 assert_eq!(place, node, "{name}");
                 node += 1;
@@ -104,7 +104,8 @@ fn the_largest_part_is_first() {
 fn around(bytes: &[u8], word: u32) -> [f64; 6] {
     let unit = f64::from_bits(get64(bytes, UNIT));
     let lower = [0, 1, 2].map(|axis| f64::from(f32::from_bits(get32(bytes, LOWER + 4 * axis))));
-    let (place, len) = ((word >> 4) as usize, word & 15);
+    let (place, len) = named(word);
+    let place = place as usize;
     let mut all = [f64::INFINITY, f64::NEG_INFINITY].repeat(3);
     let mut add = |axis: usize, [lo, hi]: [f64; 2]| {
         all[2 * axis] = all[2 * axis].min(lo);
@@ -287,15 +288,15 @@ fn damaged_parts_are_found() {
         let bytes = Aligned::copy(build(&mesh, &options).view().bytes());
         assert_eq!(View::open(&bytes).err(), None);
         let (nodes, triangles) = (count(&bytes, NODES) as u32, count(&bytes, TRIANGLES) as u32);
-        for (number, part, word) in parts(&bytes) {
-            let at = part_at(&bytes, number, part);
-            let (place, len) = (word >> 4, word & 15);
+        for (number, i, word) in parts(&bytes) {
+            let at = part_at(&bytes, number, i);
+            let (place, len) = named(word);
             for wrong in 0..=15 {
-                refused(&bytes, at, place << 4 | wrong);
+                refused(&bytes, at, word & !15 | wrong);
             }
             for wrong in [0, number as u32, place + 1, place.wrapping_sub(1), nodes, triangles] {
                 if wrong != place {
-                    refused(&bytes, at, wrong << 4 | len);
+                    refused(&bytes, at, word_of(wrong, len));
                 }
             }
             refused(&bytes, at, u32::MAX);
@@ -358,14 +359,16 @@ fn depth_is_bounded() {
     let chain = |nodes: usize| {
         let bytes = build(&soups::clustered(8), &options()).view().bytes().to_vec();
         let start = get64(&bytes, NODES) as usize;
-        let mut forged = Aligned::filled(start + nodes * NODE, 0);
+        // Eight triangles can be read from the last one on.
+        let size = (start + nodes * NODE).max(record(&bytes, TRIANGLES, 15).next_multiple_of(64));
+        let mut forged = Aligned::filled(size, 0);
         forged[..start].copy_from_slice(&bytes[..start]);
         put64(&mut forged, NODES + 8, nodes as u64);
-        put64(&mut forged, BYTES, (start + nodes * NODE) as u64);
+        put64(&mut forged, BYTES, size as u64);
         // A leaf of all triangles.
         let last = 8;
         for number in 0..nodes {
-            let word = if number + 1 < nodes { (number as u32 + 1) << 4 | IS_NODE } else { last };
+            let word = if number + 1 < nodes { word_of(number as u32 + 1, IS_NODE) } else { last };
             put32(&mut forged, start + number * NODE + PARTS.start, word);
         }
         View::open(&forged).err()
