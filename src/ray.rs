@@ -127,18 +127,18 @@ impl Hit {
     }
 }
 
-/// The first 32 bytes of a [`Hit`], of which the others are always the same. They are stored by
+/// The first 32 bytes of a [`Hit`], of which the others are always the same, in rows of four. They are stored by
 /// sixteen, as they will be copied by sixteen: of bytes that narrower stores have just written, a
 /// wide load has to wait until they are in the cache.
 #[derive(Clone, Copy)]
-pub(crate) struct Start {
+pub(crate) struct HitRows {
     /// t, u, v and the normal's x.
     first: glam::Vec4,
     /// The normal's y and z, geometry and primitive.
     second: glam::Vec4,
 }
 
-impl Start {
+impl HitRows {
     #[inline(always)]
     pub fn new([t, u, v]: [f32; 3], [x, y, z]: [f32; 3], [geom, prim]: [u32; 2]) -> Self {
         Self {

@@ -3,7 +3,8 @@
 //! One block, position-independent, little-endian, 64-byte aligned: the header,
 //! then the grids, the voxels, the references, the triangles, the frames and the nodes, each
 //! section at a multiple of 64, in this order, without gaps other than the padding
-//! (zeros). The same bytes serve in memory, in a file and in a mapping.
+//! (zeros). Where there are nodes, this goes on at the end until seven triangles would have room
+//! behind the last. The same bytes serve in memory, in a file and in a mapping.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -322,8 +323,12 @@ pub fn sections(counts: &Counts) -> Result<([Section; SECTIONS], u64), Error> {
     if counts.nodes > 0 {
         // Leaves are read eight triangles at a time.
         let [_, _, _, triangles, ..] = sections;
-        let rest = (triangles.count + u64::from(LEAF) - 1) * size_of::<Triangle>() as u64;
-        at = at.max((triangles.offset + rest).next_multiple_of(ALIGN as u64));
+        let end = u64::from(LEAF - 1)
+            .checked_add(triangles.count)
+            .and_then(|count| count.checked_mul(size_of::<Triangle>() as u64))
+            .and_then(|bytes| bytes.checked_add(triangles.offset))
+            .and_then(|end| end.checked_next_multiple_of(ALIGN as u64));
+        at = at.max(end.ok_or(Error::Overflow)?);
     }
     isize::try_from(at).map_err(|_| Error::Overflow)?;
     Ok((sections, at))

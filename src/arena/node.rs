@@ -68,7 +68,8 @@ pub trait AnyNode: Pod {
     /// How many bytes lie before the node that a part's word names.
     #[inline(always)]
     fn place(part: u32) -> usize {
-        // Nothing else is in the words of nodes, so no bit has to be masked.
+        // Nothing else is in the words of nodes, so no bit has to be masked. What the words of leaves
+        // make may wrap, and is not looked at.
         const { assert!(size_of::<Self>().is_multiple_of(1 << NODE_SHIFT)) };
         let scale = size_of::<Self>() >> NODE_SHIFT;
         (part as usize).wrapping_mul(scale).wrapping_sub(NODE as usize * scale)

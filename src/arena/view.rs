@@ -18,7 +18,7 @@ use super::check;
 use super::layout::{
     Frame, GRID, GRID_BIT, Grid, Header, LIST, LIST_HEAD, PAYLOAD, Section, TAG_SHIFT, Triangle,
 };
-use super::node::{AnyNode, LEAF_SHIFT, NODE};
+use super::node::{AnyNode, LEAF_SHIFT, NODE, NODE_SHIFT};
 use crate::Error;
 use crate::simd::{Lanes, fpenv};
 
@@ -161,9 +161,11 @@ impl<'a> Sections<'a> {
         unsafe { &*self.frames.add(i as usize) }
     }
 
-    /// The node that a part's word names: that of a node of a tree, or of the first, [`NODE`]. `N` is what the header says.
+    /// The node that a part's word names; [`NODE`] is the word of the first. `N` is what the header
+    /// says.
     #[inline(always)]
     pub fn node<N: AnyNode>(&self, part: u32) -> &'a N {
+        debug_assert!(part % (1 << NODE_SHIFT) == NODE);
         // SAFETY: see the module.
         unsafe { &*self.nodes.add(N::place(part)).cast() }
     }
@@ -171,17 +173,18 @@ impl<'a> Sections<'a> {
     /// A row of the bounds of such a node.
     #[inline(always)]
     pub fn bounds<N: AnyNode>(&self, part: u32, row: Row<N>) -> &'a N::Row {
+        debug_assert!(part % (1 << NODE_SHIFT) == NODE);
         // SAFETY: see the module; a row lies in its node.
         unsafe { &*self.nodes.add(row.0 + N::place(part)).cast() }
     }
 
-    /// Fetches what a part's word names: four lines, which are a node or most of a leaf. Of nodes of
-    /// 96 bytes two are enough, wherever these begin.
+    /// Fetches what a part's word names: four lines, which are a node or most of a leaf. Two are enough
+    /// for nodes of 96 bytes, wherever these begin.
     #[inline(always)]
     pub fn fetch_part<N: AnyNode, L: Lanes>(&self, l: L, part: u32) {
         let node = self.nodes.wrapping_add(N::place(part));
         // The number of triangles, in the lower bits, makes less than a triangle of it.
-        let place = part as usize * (size_of::<Triangle>() >> LEAF_SHIFT);
+        let place = (part as usize).wrapping_mul(size_of::<Triangle>() >> LEAF_SHIFT);
         let leaf = self.triangles.cast::<u8>().wrapping_add(place);
         let is_node = part & NODE == NODE;
         let lines = select_unpredictable(is_node, node, leaf).cast::<[u8; 64]>();
@@ -279,11 +282,13 @@ impl<'a> Sections<'a> {
     /// The triangles' coordinates along the axes, in this order.
     #[inline(always)]
     pub fn axes(&self, order: &Order) -> [Axis<'a>; 3] {
-        order.rows.map(|row| {
-            // SAFETY: a triangle starts with three rows, and there is at least one.
-            let rows = unsafe { self.triangles.cast::<u8>().add(row).cast() };
+        let axis = |k: usize| {
+            // SAFETY: a triangle starts with three rows, one of which `Order::new` has taken, and
+            // there is at least one.
+            let rows = unsafe { self.triangles.cast::<u8>().add(order.rows[k]).cast() };
             Axis { rows, marker: PhantomData }
-        })
+        };
+        [axis(0), axis(1), axis(2)]
     }
 
     /// Triangle number `i`, from a reference or a leaf.

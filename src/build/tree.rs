@@ -42,8 +42,8 @@ use rows::{Rows, WORDS};
 /// Triangles above which parts' places do not fit a node's words.
 pub const MOST: usize = 1 << (32 - LEAF_SHIFT);
 
-// Nor would there be too many nodes: less than one for three triangles, by `capacity`.
-const _: () = assert!(MOST / 3 < 1 << (32 - NODE_SHIFT));
+// Nor are there more nodes than that.
+const _: () = assert!(capacity(MOST - 1) < 1 << (32 - NODE_SHIFT));
 
 /// By how much a descent meets boxes early and late, where the ray begins in the scene
 /// (`trace::descent`).
@@ -51,7 +51,7 @@ const MARGIN: f64 = 3.0 / (1 << 20) as f64;
 
 /// Most nodes over so many triangles. One without nodes below holds nine triangles at least,
 /// but for the root; one with such has eight parts, so these are a seventh of all leaves.
-pub fn capacity(triangles: usize) -> usize {
+pub const fn capacity(triangles: usize) -> usize {
     if triangles == 0 || triangles >= MOST { 0 } else { triangles / 9 + triangles / 7 + 2 }
 }
 

@@ -4,7 +4,7 @@ use super::query::{Closest, Query, usable, visible};
 use crate::arena::layout::Triangle;
 use crate::ray::{Hit, Ray};
 use crate::simd::{Portable, fpenv};
-use crate::triangle::{Line, Met};
+use crate::triangle::{self, Line, Met};
 
 /// [`Line::meet`]. Not inlined, here and below: one copy serves all that need not be the
 /// fastest.
@@ -15,9 +15,9 @@ pub(super) fn meet(line: &Line, triangle: &Triangle, limit: f32) -> Option<Met> 
 
 /// The record of a hit.
 #[inline(never)]
-pub(super) fn record(line: &Line, triangle: &Triangle, Met { t, weights, .. }: Met) -> Hit {
+pub(super) fn record(line: &Line, triangle: &Triangle, Met { t, weights, normal }: Met) -> Hit {
     let (u, v) = weights.unwrap_or_else(|| line.weights(triangle));
-    let ng = line.apex(triangle).normal();
+    let ng = normal.unwrap_or_else(|| triangle::normal(triangle));
     Hit { t, u, v, ng, geom: triangle.geom, prim: triangle.prim, ..Hit::miss(t) }
 }
 

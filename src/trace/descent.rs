@@ -13,7 +13,7 @@
 //! and added where it leaves. A component of the direction below 2^-115 is taken for that, 2^-95
 //! of the longest or less, which moves the ray by less than 2^-83 where the origin is no farther
 //! than [`FAR`], as it is here: rays from farther away walk, and so do those whose directions
-//! are not between 1 / [`FASTEST`] and [`FASTEST`] long. A t rounds by 2 e of it or half the
+//! are not between 1 / [`FASTEST`] and [`FASTEST`] long. A t rounds by e of it or half the
 //! least denormal, which `unit` makes 2^-50 at most ([`TREE_UNITS`]); 4 e and 2^-40 are allowed.
 
 mod slabs;
@@ -53,22 +53,23 @@ pub(super) struct Descent<'a, Q, N, L: Lanes> {
     query: PhantomData<(Q, N)>,
 }
 
-/// By how much a parameter that rounds to a t may be off what is computed of that, `tau`.
+/// By how much a parameter that rounds to a t may be off what is computed of that, `tau`. Fused or
+/// not it is the same: the factor is a power of two.
 #[inline(always)]
 fn rounding<L: Lanes>(l: L, tau: f32) -> f32 {
     let (size, by) = (l.splat_f32(tau.abs()), l.splat_f32(2.0 * f32::EPSILON));
     l.first(l.mul_add::<false>(size, by, l.splat_f32(1.0 / (1u64 << 40) as f32)))
 }
 
-/// A tau that no parameter that rounds to `limit` or less is above. That of minus infinity is NaN,
-/// up to which nothing is met.
+/// A tau that no parameter that rounds to `limit` or less is above. Where the product is infinite on
+/// the wrong side it is NaN: nothing in a tree is that far, and it does not matter what is met.
 #[inline(always)]
 fn beyond<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
     let tau = limit * unit;
     tau + rounding(l, tau)
 }
 
-/// A tau that no parameter that rounds to `limit` or more is below; likewise for infinity.
+/// A tau that no parameter that rounds to `limit` or more is below, likewise.
 #[inline(always)]
 fn before<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
     let tau = limit * unit;

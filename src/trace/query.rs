@@ -2,7 +2,7 @@
 
 use crate::arena::Sections;
 use crate::arena::layout::Triangle;
-use crate::ray::{Hit, NONE, Ray, Start};
+use crate::ray::{Hit, HitRows, NONE, Ray};
 use crate::simd::{Kernel, Lanes};
 use crate::triangle::{self, Apex, Line, Met, normal};
 
@@ -68,11 +68,11 @@ impl Last {
 #[derive(Clone, Copy)]
 pub(crate) struct Closest {
     /// As far as it is known.
-    hit: Start,
+    hit: HitRows,
     number: u32,
-    /// Whether the weights are known, and the normal.
-    weights: bool,
-    normal: bool,
+    /// Whether the weights are there, and the normal; of a miss they are.
+    has_weights: bool,
+    has_normal: bool,
 }
 
 impl Closest {
@@ -88,12 +88,12 @@ impl Query for Closest {
 
     #[inline(always)]
     fn miss(ray: &Ray) -> Hit {
-        Start::miss(ray.tmax).hit()
+        HitRows::miss(ray.tmax).hit()
     }
 
     #[inline(always)]
     fn new(ray: &Ray) -> Self {
-        Self { hit: Start::miss(ray.tmax), number: NONE, weights: true, normal: true }
+        Self { hit: HitRows::miss(ray.tmax), number: NONE, has_weights: true, has_normal: true }
     }
 
     #[inline(always)]
@@ -131,10 +131,10 @@ impl Query for Closest {
             let (u, v) = met.weights.unwrap_or_default();
             let normal = met.normal.unwrap_or_default();
             *self = Self {
-                hit: Start::new([met.t, u, v], normal, [triangle.geom, triangle.prim]),
+                hit: HitRows::new([met.t, u, v], normal, [triangle.geom, triangle.prim]),
                 number,
-                weights: met.weights.is_some(),
-                normal: met.normal.is_some(),
+                has_weights: met.weights.is_some(),
+                has_normal: met.normal.is_some(),
             };
         }
         false
@@ -149,14 +149,14 @@ impl Query for Closest {
     #[inline(always)]
     fn found_next(&self, sections: &Sections<'_>, ray: &Ray, last: &mut Last) -> Hit {
         let mut hit = self.hit;
-        if !self.normal {
+        if !self.has_normal {
             if self.number != last.number {
                 *last =
                     Last { number: self.number, normal: normal(sections.triangle(self.number)) };
             }
             hit.set_normal(last.normal);
         }
-        if !self.weights {
+        if !self.has_weights {
             hit.set_weights(Line::new(ray).weights(sections.triangle(self.number)));
         }
         hit.hit()

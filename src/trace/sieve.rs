@@ -122,7 +122,8 @@ impl<'a> Sieve<'a> {
         sieve
     }
 
-    /// What is added to the depth at t, as a corner's z is off by one rounding, and so is this.
+    /// What is added to the depth at t, as a corner's z is off by one rounding, and so is this. Fused or
+    /// not it is the same: the factor is a power of two.
     #[inline(always)]
     fn room<L: Lanes>(&self, l: L, depth: f32) -> f32 {
         let (size, by) = (l.splat_f32(depth.abs()), l.splat_f32(4.0 * f32::EPSILON));

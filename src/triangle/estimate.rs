@@ -94,7 +94,7 @@ fn min(a: f64, b: f64) -> f64 {
 
 /// The sizes of the coordinates, summed.
 #[inline(always)]
-pub fn sum(a: &Vector) -> f64 {
+fn sum(a: &Vector) -> f64 {
     a[0].abs() + a[1].abs() + a[2].abs()
 }
 

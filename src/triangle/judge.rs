@@ -95,3 +95,38 @@ impl<L: Lanes> Judged<L> {
         each!(k => l.array_f64(self.products[k])[0] as f32)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::{AnyKernel, Isa, dispatch};
+
+    struct Normal<'a>(&'a Triangle);
+
+    impl AnyKernel for Normal<'_> {
+        type Out = [f32; 3];
+        const BEST: Isa = Isa::Avx512;
+        #[inline(always)]
+        fn run_on<L: Lanes>(self, l: L) -> [f32; 3] {
+            let ray = Ray::new([0.3, -7.0, 1e3], [0.1, 0.2, -1.0]);
+            Judged::new(l, &ray, self.0).normal(l)
+        }
+    }
+
+    /// With the signs of zeros: of triangles in the planes of axes, of no area, and of others.
+    #[test]
+    fn normals_are_those_of_triangles() {
+        let numbers = [0.0, -0.0, 1.0, -2.5, 0.1, 1e-30, 3e7];
+        let corner = |i: usize| [numbers[i % 7], numbers[i / 7 % 7], numbers[i / 49]];
+        for i in 0..343 {
+            for j in 0..343 {
+                let corners = [corner(i), corner(j), corner((i * 31 + j * 7) % 343)];
+                let triangle = Triangle::new(&corners, 0, 0, 1);
+                let expected = crate::triangle::normal(&triangle);
+                let computed = dispatch(Normal(&triangle));
+                let bits = |normal: [f32; 3]| normal.map(f32::to_bits);
+                assert_eq!(bits(computed), bits(expected), "{corners:?}");
+            }
+        }
+    }
+}

@@ -6,6 +6,7 @@ mod any;
 mod bytes;
 #[path = "../common/mod.rs"]
 mod common;
+mod end;
 mod work;
 
 use bytes::{bounds, each_bound, kind, named, part_at, parts, steps, word_of};
@@ -64,7 +65,6 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
         let (mut node, mut triangle) = (1, 0);
         // Of a node by their places.
         let mut parts = parts(bytes);
-        let size = kind(bytes).size as u64;
         parts.sort_unstable_by_key(|&(number, _, word)| (number, word));
         for (_, _, word) in parts {
             let (place, len) = named(word);
@@ -79,7 +79,11 @@ fn nodes_and_triangles_are_named_once_and_in_order() {
         }
         assert_eq!(node as usize, count(bytes, NODES), "{name}");
         assert_eq!(triangle as usize, count(bytes, TRIANGLES), "{name}");
-        assert_eq!(Stats::of(&scene.view()).node_bytes, u64::from(node) * size, "{name}");
+        assert_eq!(
+            Stats::of(&scene.view()).node_bytes,
+            u64::from(node) * kind(bytes).size as u64,
+            "{name}"
+        );
     }
 }
 
@@ -293,7 +297,9 @@ fn damaged_parts_are_found() {
             let (place, len) = named(word);
             for wrong in 0..=15 {
                 refused(&bytes, at, word & !15 | wrong);
+                refused(&bytes, at, word_of(place, wrong));
             }
+            refused(&bytes, at, word ^ 16);
             for wrong in [0, number as u32, place + 1, place.wrapping_sub(1), nodes, triangles] {
                 if wrong != place {
                     refused(&bytes, at, word_of(wrong, len));

@@ -11,11 +11,12 @@ const LEAST_SPEED: f32 = f32::from_bits((127 - 115) << 23);
 
 /// Nodes whose boxes a descent can read.
 pub trait Boxes: AnyNode {
-    /// Two rows along each axis of the bounds of a node's parts, those from `at` on.
+    /// Two rows along each axis of the bounds of the parts, those from `at` on, of the node that `part`
+    /// names.
     fn bounds<L: Lanes>(
         l: L,
         sections: &Sections<'_>,
-        node: u32,
+        part: u32,
         rows: [&[Row<Self>; 3]; 2],
         at: usize,
     ) -> [[L::Wide; 3]; 2];
@@ -26,13 +27,13 @@ impl Boxes for Node {
     fn bounds<L: Lanes>(
         l: L,
         sections: &Sections<'_>,
-        node: u32,
+        part: u32,
         [near, far]: [&[Row<Self>; 3]; 2],
         at: usize,
     ) -> [[L::Wide; 3]; 2] {
         [
-            each!(k => l.load_from(sections.bounds(node, near[k]), at)),
-            each!(k => l.load_from(sections.bounds(node, far[k]), at)),
+            each!(k => l.load_from(sections.bounds(part, near[k]), at)),
+            each!(k => l.load_from(sections.bounds(part, far[k]), at)),
         ]
     }
 }
@@ -44,15 +45,15 @@ impl Boxes for QuantizedNode {
     fn bounds<L: Lanes>(
         l: L,
         sections: &Sections<'_>,
-        node: u32,
+        part: u32,
         [near, far]: [&[Row<Self>; 3]; 2],
         at: usize,
     ) -> [[L::Wide; 3]; 2] {
-        let known = sections.node::<Self>(node);
+        let known = sections.node::<Self>(part);
         let step = each!(k => l.splat_wide(known.step(k)));
         let origin = each!(k => l.splat_wide(known.origin[k]));
-        let near = each!(k => l.bytes_from(sections.bounds(node, near[k]), at));
-        let far = each!(k => l.bytes_from(sections.bounds(node, far[k]), at));
+        let near = each!(k => l.bytes_from(sections.bounds(part, near[k]), at));
+        let far = each!(k => l.bytes_from(sections.bounds(part, far[k]), at));
         [
             each!(k => l.mul_add_wide(near[k], step[k], origin[k])),
             each!(k => l.mul_add_wide(far[k], step[k], origin[k])),
@@ -105,22 +106,23 @@ impl<N: Boxes, L: Lanes> Slabs<N, L> {
         }
     }
 
-    /// A bit for each part of a node that the ray meets up to `to`, and where it enters these:
+    /// A bit for each part of the node that `part` names that the ray meets up to `to`, and where it
+    /// enters these:
     /// in one wide row, or two.
     #[inline(always)]
-    pub fn meet(&self, l: L, sections: &Sections<'_>, node: u32, to: f32) -> (u32, [L::Wide; 2]) {
-        let (met, enter) = self.some(l, sections, node, to, 0);
+    pub fn meet(&self, l: L, sections: &Sections<'_>, part: u32, to: f32) -> (u32, [L::Wide; 2]) {
+        let (met, enter) = self.some(l, sections, part, to, 0);
         if L::WIDE == PARTS {
             return (met, [enter, enter]);
         }
-        let (others, after) = self.some(l, sections, node, to, L::WIDE);
+        let (others, after) = self.some(l, sections, part, to, L::WIDE);
         (met | others << L::WIDE, [enter, after])
     }
 
     /// [`Slabs::meet`] of the parts from `at` on.
     #[inline(always)]
-    fn some(&self, l: L, sections: &Sections<'_>, node: u32, to: f32, at: usize) -> (u32, L::Wide) {
-        let [near, far] = N::bounds(l, sections, node, [&self.near, &self.far], at);
+    fn some(&self, l: L, sections: &Sections<'_>, part: u32, to: f32, at: usize) -> (u32, L::Wide) {
+        let [near, far] = N::bounds(l, sections, part, [&self.near, &self.far], at);
         let enter = each!(k => l.mul_add_wide(near[k], self.pace[k], self.enter[k]));
         let leave = each!(k => l.mul_add_wide(far[k], self.pace[k], self.leave[k]));
         let first = l.max_wide(l.max_wide(enter[0], enter[1]), l.max_wide(enter[2], self.from));
