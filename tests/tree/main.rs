@@ -383,21 +383,3 @@ fn depth_is_bounded() {
     assert_eq!(chain(64), None);
     assert_eq!(chain(65), Some(Error::Corrupt));
 }
-
-/// A fine model on a plane of a million times its size: margins would make one leaf of it all.
-#[test]
-fn what_is_tiny_has_none() {
-    let mut mesh = soups::clustered(2000);
-    let bounds = mesh.bounds().expect("vertices");
-    let size = bounds.hi[0] - bounds.lo[0];
-    assert!(count(build(&mesh, &options()).view().bytes(), NODES) > 0);
-    let far = 1e6 * size;
-    mesh.push([[-far, -far, 0.0], [far, -far, 0.0], [0.0, far, 0.0]]);
-    let scene = build(&mesh, &options());
-    assert_eq!(count(scene.view().bytes(), NODES), 0);
-    for (_, one) in adversarial_rays(&mesh, 8, 20) {
-        let one = ray(&one);
-        let expected = scene.view().intersect_brute(&one);
-        assert_same(&scene.view().intersect(&one), &expected, &one, &"tiny");
-    }
-}

@@ -1,4 +1,4 @@
-//! What building trees takes, at most, and what more care is worth.
+//! What building trees takes, at most, what more care is worth, and where there is none.
 
 use super::*;
 
@@ -91,4 +91,22 @@ fn care_costs_less() {
         ratio *= high / normal;
     }
     assert!(ratio < 0.9, "{ratio}");
+}
+
+/// A fine model on a plane of a million times its size: margins would make one leaf of it all.
+#[test]
+fn what_is_tiny_has_none() {
+    let mut mesh = soups::clustered(2000);
+    let bounds = mesh.bounds().expect("vertices");
+    let size = bounds.hi[0] - bounds.lo[0];
+    assert!(count(build(&mesh, &options()).view().bytes(), NODES) > 0);
+    let far = 1e6 * size;
+    mesh.push([[-far, -far, 0.0], [far, -far, 0.0], [0.0, far, 0.0]]);
+    let scene = build(&mesh, &options());
+    assert_eq!(count(scene.view().bytes(), NODES), 0);
+    for (_, one) in adversarial_rays(&mesh, 8, 20) {
+        let one = ray(&one);
+        let expected = scene.view().intersect_brute(&one);
+        assert_same(&scene.view().intersect(&one), &expected, &one, &"tiny");
+    }
 }
