@@ -127,9 +127,9 @@ impl Hit {
     }
 }
 
-/// The first 32 bytes of a [`Hit`], of which the others are always the same, in rows of four. They are stored by
-/// sixteen, as they will be copied by sixteen: of bytes that narrower stores have just written, a
-/// wide load has to wait until they are in the cache.
+/// The first 32 bytes of a [`Hit`], of which the others are always the same, in rows of four. They
+/// are stored by sixteen, as they will be copied by sixteen: of bytes that narrower stores have just
+/// written, a wide load has to wait until they are in the cache.
 #[derive(Clone, Copy)]
 pub(crate) struct HitRows {
     /// t, u, v and the normal's x.
