@@ -173,7 +173,7 @@ pub fn towers(levels: usize, width: usize) -> Aligned {
     let mut bytes = Aligned::filled(end, 0);
     bytes[..8].copy_from_slice(b"hug-rt\r\n");
     put32(&mut bytes, BYTE_ORDER, 0x0102_0304);
-    put32(&mut bytes, VERSION, 6);
+    put32(&mut bytes, VERSION, 7);
     put_f64(&mut bytes, UNIT, 1.0);
     put64(&mut bytes, BYTES, end as u64);
     put32(&mut bytes, STRUCTURE, 3);
