@@ -248,6 +248,13 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
                     return query.take_any();
                 }
             }
+            // Mostly one, for which no order has to be made ready.
+            if !Q::ANY && left.is_power_of_two() {
+                if self.decide(start + left.trailing_zeros(), query) {
+                    return true;
+                }
+                left = 0;
+            }
             while left != 0 {
                 let i = if Q::ANY {
                     left.trailing_zeros()

@@ -62,8 +62,9 @@ impl<L: Lanes> Sieved<L> {
         let height = l.mul_add_wide(bc, a.z, l.mul_add_wide(ca, b.z, l.mul_wide(ab, c.z)));
         let height = l.turn_wide(l.turn_wide(height, det), sign);
         let det = l.abs_wide(det);
-        let error = l.mul_wide(error, l.splat_wide(2.5));
-        let det_error = l.mul_add_wide(det, l.splat_wide(5.5 * E), error);
+        // In this order the error, which is known last, is waited for once.
+        let of_det = l.mul_wide(det, l.splat_wide(5.5 * E));
+        let det_error = l.mul_add_wide(error, l.splat_wide(2.5), of_det);
         let height_error = l.mul_add_wide(twice, det_error, l.splat_wide(TINY));
         let place = Place { height, det, height_error, det_error };
         Self { out: place.out_or(l, beside, [lo, hi]), edges, place: Some(place) }
