@@ -22,7 +22,7 @@ use core::marker::PhantomData;
 
 pub(super) use slabs::{Boxes, Start};
 
-use super::query::{Query, decide};
+use super::query::{Query, allowance, decide};
 use super::sieve::{FARTHEST, Sieve};
 use crate::arena::node::{LEAF, LEAF_SHIFT, MAX_DEPTH, NODE, PARTS, TREE_UNITS};
 use crate::arena::{Sections, View};
@@ -53,12 +53,10 @@ pub(super) struct Descent<'a, Q, N, L: Lanes> {
     query: PhantomData<(Q, N)>,
 }
 
-/// By how much a parameter that rounds to a t may be off what is computed of that, `tau`. Fused or
-/// not it is the same: the factor is a power of two.
+/// By how much a parameter that rounds to a t may be off what is computed of that, `tau`.
 #[inline(always)]
 fn rounding<L: Lanes>(l: L, tau: f32) -> f32 {
-    let (size, by) = (l.splat_f32(tau.abs()), l.splat_f32(2.0 * f32::EPSILON));
-    l.first(l.mul_add::<false>(size, by, l.splat_f32(1.0 / (1u64 << 40) as f32)))
+    allowance(l, tau, 2.0 * f32::EPSILON, 1.0 / (1u64 << 40) as f32)
 }
 
 /// A tau that no parameter that rounds to `limit` or less is above. Where the product is infinite on

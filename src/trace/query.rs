@@ -266,6 +266,12 @@ pub(super) fn decide<Q: Query, L: Lanes>(
     l.run_apart(Decide { query, ray, triangle, number })
 }
 
+/// `x`'s size times a power of two, and more. Fused or not it is the same.
+#[inline(always)]
+pub(super) fn allowance<L: Lanes>(l: L, x: f32, power: f32, more: f32) -> f32 {
+    l.first(l.mul_add::<false>(l.splat_f32(x.abs()), l.splat_f32(power), l.splat_f32(more)))
+}
+
 /// A number above which every parameter rounds to more than `limit`, which is
 /// not minus infinity: no less than the next `f32`.
 #[inline(always)]

@@ -44,7 +44,7 @@ use crate::ray::Ray;
 use crate::simd::Lanes;
 
 use super::bounds::splat3;
-use super::query::visible;
+use super::query::{allowance, visible};
 pub(super) use sieved::Sieved;
 
 /// Distances below which products of three sheared coordinates stay in the range of `f32`.
@@ -122,12 +122,10 @@ impl<'a> Sieve<'a> {
         sieve
     }
 
-    /// What is added to the depth at t, as a corner's z is off by one rounding, and so is this. Fused or
-    /// not it is the same: the factor is a power of two.
+    /// What is added to the depth at t, as a corner's z is off by one rounding, and so is this.
     #[inline(always)]
     fn room<L: Lanes>(&self, l: L, depth: f32) -> f32 {
-        let (size, by) = (l.splat_f32(depth.abs()), l.splat_f32(4.0 * f32::EPSILON));
-        l.first(l.mul_add::<false>(size, by, l.splat_f32(self.slack)))
+        allowance(l, depth, 4.0 * f32::EPSILON, self.slack)
     }
 
     /// Sets the largest t of interest.
