@@ -63,6 +63,12 @@ impl Ray {
         self
     }
 
+    /// Whether the flags leave out triangles that the ray comes to from this side.
+    #[inline(always)]
+    pub(crate) const fn culls(&self, front: bool) -> bool {
+        self.flags & (if front { Self::CULL_FRONT } else { Self::CULL_BACK }) != 0
+    }
+
     /// The record in rows of four: origin and `tmin`, direction and `tmax`, the rest.
     pub(crate) fn rows(&self) -> &[[f32; 4]; 3] {
         bytemuck::cast_ref(self)

@@ -16,6 +16,7 @@
 mod estimate;
 mod four;
 mod judge;
+mod pairs;
 
 use crate::arena::layout::Triangle;
 use crate::exact::{self, Case};
@@ -25,6 +26,7 @@ use crate::simd::Lanes;
 pub use estimate::{Apex, normal};
 use estimate::{E, Estimate, Range, Sides};
 use judge::{Judged, Place};
+pub use pairs::Pairs;
 
 type Vector = [f64; 3];
 

@@ -41,8 +41,8 @@ impl<A> Strided<A> {
 }
 
 impl Port<Hit> for Strided<Hit> {
-    fn ray(&mut self, i: usize) -> Ray {
-        self.read(i)
+    fn ray(&mut self, i: usize, to: &mut Ray) {
+        *to = self.read(i);
     }
 
     fn put(&mut self, i: usize, answer: Hit) {
@@ -51,8 +51,8 @@ impl Port<Hit> for Strided<Hit> {
 }
 
 impl Port<bool> for Strided<u8> {
-    fn ray(&mut self, i: usize) -> Ray {
-        self.read(i)
+    fn ray(&mut self, i: usize, to: &mut Ray) {
+        *to = self.read(i);
     }
 
     fn put(&mut self, i: usize, answer: bool) {

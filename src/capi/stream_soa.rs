@@ -67,8 +67,8 @@ impl<A> Arrays<A> {
 }
 
 impl Port<Hit> for Arrays<hug_hit_soa> {
-    fn ray(&mut self, i: usize) -> Ray {
-        self.read(i)
+    fn ray(&mut self, i: usize, to: &mut Ray) {
+        *to = self.read(i);
     }
 
     fn put(&mut self, i: usize, hit: Hit) {
@@ -89,8 +89,8 @@ impl Port<Hit> for Arrays<hug_hit_soa> {
 }
 
 impl Port<bool> for Arrays<*mut u8> {
-    fn ray(&mut self, i: usize) -> Ray {
-        self.read(i)
+    fn ray(&mut self, i: usize, to: &mut Ray) {
+        *to = self.read(i);
     }
 
     fn put(&mut self, i: usize, answer: bool) {

@@ -108,6 +108,22 @@ pub(crate) trait Lanes: Copy + 'static {
     /// Lane `order[k]` of `a` in lane k.
     fn permute(self, a: Self::F32, order: &[i32; 4]) -> Self::F32;
     fn array_f32(self, a: Self::F32) -> [f32; 4];
+    /// Lane i of row k in lane k of row i.
+    #[inline(always)]
+    fn transpose(self, rows: [Self::F32; 4]) -> [Self::F32; 4] {
+        let [a, b, c, d] = [
+            self.array_f32(rows[0]),
+            self.array_f32(rows[1]),
+            self.array_f32(rows[2]),
+            self.array_f32(rows[3]),
+        ];
+        [
+            self.load_f32(&[a[0], b[0], c[0], d[0]]),
+            self.load_f32(&[a[1], b[1], c[1], d[1]]),
+            self.load_f32(&[a[2], b[2], c[2], d[2]]),
+            self.load_f32(&[a[3], b[3], c[3], d[3]]),
+        ]
+    }
     /// One bit for each of the first three lanes that is negative, -0 included.
     fn signs(self, a: Self::F32) -> u32;
     /// Whether `|a| < b` in each of the first three lanes.
@@ -191,6 +207,14 @@ pub(crate) trait Lanes: Copy + 'static {
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
     /// One bit for each lane in which `a <= b`.
     fn at_most(self, a: Self::Wide, b: Self::Wide) -> u32;
+    /// One bit for each lane in which the least of all is.
+    #[inline(always)]
+    fn least(self, a: Self::Wide) -> u32 {
+        let mut all = [f32::INFINITY; 8];
+        self.store_wide(a, &mut all);
+        let least = all.into_iter().fold(f32::INFINITY, f32::min);
+        self.at_most(a, self.splat_wide(least))
+    }
     /// `a`, negated where `b` is negative.
     fn turn_wide(self, a: Self::Wide, b: Self::Wide) -> Self::Wide;
     /// `a * b - c`, rounded once or twice.

@@ -20,7 +20,7 @@ mod slabs;
 
 use core::marker::PhantomData;
 
-pub(super) use slabs::{Boxes, Start};
+pub(super) use slabs::{Boxes, Line, Slabs, Start};
 
 use super::query::{Query, allowance, decide};
 use super::sieve::{FARTHEST, Sieve};
@@ -28,7 +28,6 @@ use crate::arena::node::{LEAF, LEAF_SHIFT, MAX_DEPTH, NODE, PARTS, TREE_UNITS};
 use crate::arena::{Sections, View};
 use crate::ray::Ray;
 use crate::simd::{Lanes, Room, Stack};
-use slabs::Slabs;
 
 /// Farthest origin along an axis, in units of about the scene's longest side.
 const FAR: f32 = 1024.0;
@@ -62,7 +61,7 @@ fn rounding<L: Lanes>(l: L, tau: f32) -> f32 {
 /// A tau that no parameter that rounds to `limit` or less is above. Where the product is infinite on
 /// the wrong side it is NaN: nothing in a tree is that far, and it does not matter what is met.
 #[inline(always)]
-fn beyond<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
+pub(super) fn beyond<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
     let tau = limit * unit;
     tau + rounding(l, tau)
 }
@@ -74,25 +73,30 @@ fn before<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
     tau - rounding(l, tau)
 }
 
+/// How a ray begins in a scene with a tree; `None` for one that is to walk, or that cannot hit
+/// anything.
+#[inline(always)]
+pub(super) fn start<L: Lanes>(l: L, view: &View, ray: &Ray) -> Option<Start<L>> {
+    let [org, dir, _] = ray.rows();
+    let (org, dir) = (l.load_f32(org), l.load_f32(dir));
+    let header = view.header();
+    let way = l.sub_f32(l.load_f32(header.corners()[0]), org);
+    let way = l.mul_f32(way, l.splat_f32(header.unit as f32));
+    let speed = l.abs_f32(dir);
+    // One branch; NaN fails the comparisons.
+    let suits = l.all_below(way, FAR)
+        & l.all_below(dir, FASTEST)
+        & (l.first(l.highest(speed)) > 1.0 / FASTEST)
+        & (ray.tmin <= ray.tmax);
+    suits.then_some(Start { way, dir, speed })
+}
+
 impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
-    /// That of a ray in a scene with a tree; `None` for one that is to walk, or that cannot hit
-    /// anything.
+    /// That of a ray in a scene with a tree, if it is not to walk: [`start`].
     #[inline(always)]
     pub fn new(l: L, view: &View<'a>, ray: &'a Ray) -> Option<(Self, Start<L>)> {
-        let [org, dir, _] = ray.rows();
-        let (org, dir) = (l.load_f32(org), l.load_f32(dir));
-        let header = view.header();
-        let unit = header.unit as f32;
-        let way = l.mul_f32(l.sub_f32(l.load_f32(header.corners()[0]), org), l.splat_f32(unit));
-        let speed = l.abs_f32(dir);
-        // One branch; NaN fails the comparisons.
-        let suits = l.all_below(way, FAR)
-            & l.all_below(dir, FASTEST)
-            & (l.first(l.highest(speed)) > 1.0 / FASTEST)
-            & (ray.tmin <= ray.tmax);
-        if !suits {
-            return None;
-        }
+        let start = start(l, view, ray)?;
+        let unit = view.header().unit as f32;
         let descent = Self {
             lanes: l,
             sections: view.sections(),
@@ -102,7 +106,7 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
             to: beyond(l, ray.tmax, unit),
             query: PhantomData,
         };
-        Some((descent, Start { way, dir, speed }))
+        Some((descent, start))
     }
 
     /// Goes down from the root; for any hit, `occluders` are met before. The query is not part of
@@ -113,8 +117,8 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         if Q::ANY && self.hidden(occluders, query) {
             return;
         }
-        let slabs =
-            Slabs::<N, L>::new(self.lanes, start, before(self.lanes, self.ray.tmin, self.unit));
+        let line = Line::<N>::new(self.lanes, start, self.ray, self.unit);
+        let slabs = Slabs::new(self.lanes, &line);
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);
         let mut part = NODE;

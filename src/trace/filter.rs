@@ -91,7 +91,7 @@ impl View<'_> {
         while first < n {
             let rays = &mut rays[..CHUNK.min(n - first)];
             for (i, to) in (first..).zip(&mut *rays) {
-                *to = port.ray(i);
+                port.ray(i, to);
             }
             self.intersect_n(rays, &mut hits);
             for ((i, ray), hit) in (first..).zip(&*rays).zip(&hits) {
@@ -106,8 +106,8 @@ impl View<'_> {
 pub(crate) struct Flags<'p>(pub &'p mut dyn Port<bool>);
 
 impl Port<Hit> for Flags<'_> {
-    fn ray(&mut self, i: usize) -> Ray {
-        self.0.ray(i)
+    fn ray(&mut self, i: usize, to: &mut Ray) {
+        self.0.ray(i, to);
     }
 
     fn put(&mut self, i: usize, hit: Hit) {

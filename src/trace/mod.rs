@@ -26,6 +26,7 @@ mod sieve;
 mod single;
 mod stream;
 mod turned;
+mod volley;
 mod walk;
 mod work;
 

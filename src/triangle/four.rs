@@ -23,17 +23,17 @@ pub struct Four<L: Lanes> {
 }
 
 /// What quotients by the determinant have in common.
-struct Quotient<L: Lanes> {
-    inverse: L::F64,
+pub(super) struct Quotient<L: Lanes> {
+    pub inverse: L::F64,
     /// Twice the size of that.
-    twice: L::F64,
-    det_error: L::F64,
+    pub twice: L::F64,
+    pub det_error: L::F64,
 }
 
 impl<L: Lanes> Quotient<L> {
     /// The rounded quotients, and for which of them that is certain.
     #[inline(always)]
-    fn of(&self, l: L, num: L::F64, error: L::F64) -> (L::F32, u32) {
+    pub fn of(&self, l: L, num: L::F64, error: L::F64) -> (L::F32, u32) {
         let q = l.mul_f64(num, self.inverse);
         let error = l.mul_add_f64(l.abs_f64(q), self.det_error, error);
         let error = l.mul_f64(error, self.twice);

@@ -135,6 +135,15 @@ macro_rules! eight_lanes {
             with!(_mm256_max_ps(a, b))
         }
         #[inline(always)]
+        fn least(self, a: __m256) -> u32 {
+            with!({
+                let least = _mm256_min_ps(a, _mm256_permute2f128_ps::<1>(a, a));
+                let least = _mm256_min_ps(least, _mm256_permute_ps::<0b01_00_11_10>(least));
+                let least = _mm256_min_ps(least, _mm256_permute_ps::<0b10_11_00_01>(least));
+                self.at_most(a, least)
+            })
+        }
+        #[inline(always)]
         fn abs_wide(self, a: __m256) -> __m256 {
             with!(_mm256_andnot_ps(_mm256_set1_ps(-0.0), a))
         }

@@ -14,6 +14,19 @@ macro_rules! four_lanes {
             array
         }
         #[inline(always)]
+        fn transpose(self, [a, b, c, d]: [__m128; 4]) -> [__m128; 4] {
+            with!({
+                let (low, high) = (_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b));
+                let (more_low, more_high) = (_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
+                [
+                    _mm_movelh_ps(low, more_low),
+                    _mm_movehl_ps(more_low, low),
+                    _mm_movelh_ps(high, more_high),
+                    _mm_movehl_ps(more_high, high),
+                ]
+            })
+        }
+        #[inline(always)]
         fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out {
             with!(compiled(kernel, self))
         }

@@ -1,7 +1,9 @@
 //! A ray and the boxes of a node's parts: which it meets, and where it enters them.
 
+use super::before;
 use crate::arena::node::{AnyNode, Node, PARTS, QuantizedNode};
 use crate::arena::{Row, Sections};
+use crate::ray::Ray;
 use crate::simd::Lanes;
 
 /// 16 e ([`super`]).
@@ -61,15 +63,27 @@ impl Boxes for QuantizedNode {
     }
 }
 
-/// A ray as boxes want it, a number for each axis in all lanes.
+/// A ray as boxes want it: numbers for each axis, the fourth means nothing.
+#[derive(Clone, Copy)]
+pub struct Line<N> {
+    pace: [f32; 4],
+    /// Where the ray is at plane 0, as it enters and as it leaves.
+    enter: [f32; 4],
+    leave: [f32; 4],
+    /// No tau below it is of interest.
+    from: f32,
+    /// Which bounds of a node it comes to first, and last.
+    near: [Row<N>; 3],
+    far: [Row<N>; 3],
+}
+
+/// The same, each number in all lanes.
 #[derive(Clone, Copy)]
 pub struct Slabs<N, L: Lanes> {
     pace: [L::Wide; 3],
-    /// Where the ray is at plane 0, as it enters and as it leaves.
     enter: [L::Wide; 3],
     leave: [L::Wide; 3],
     from: L::Wide,
-    /// Which bounds of a node it comes to first, and last.
     near: [Row<N>; 3],
     far: [Row<N>; 3],
 }
@@ -83,51 +97,81 @@ pub struct Start<L: Lanes> {
     pub speed: L::F32,
 }
 
-impl<N: Boxes, L: Lanes> Slabs<N, L> {
-    /// Those of a ray of which no tau below `from` is of interest.
+impl<N: Boxes> Line<N> {
+    /// That of no ray.
+    pub const NONE: Self = Self {
+        pace: [0.0; 4],
+        enter: [0.0; 4],
+        leave: [0.0; 4],
+        from: 0.0,
+        near: Row::<N>::FIRST[0],
+        far: Row::<N>::FIRST[7],
+    };
+
     #[inline(always)]
-    pub fn new(l: L, &Start { way, dir, speed }: &Start<L>, from: f32) -> Self {
+    pub fn new<L: Lanes>(l: L, start: &Start<L>, ray: &Ray, unit: f32) -> Self {
+        let &Start { way, dir, speed } = start;
         let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
         let room = l.add_f32(l.abs_f32(way), l.splat_f32(2.0));
         let room = l.mul_f32(l.mul_f32(room, pace), l.splat_f32(MARGIN));
         let pace = l.sign_f32(pace, dir);
         let at = l.mul_f32(way, pace);
-        let enter = l.array_f32(l.sub_f32(at, room));
-        let leave = l.array_f32(l.add_f32(at, room));
-        let pace = l.array_f32(pace);
         let signs = l.signs(dir) as usize;
+        Self {
+            pace: l.array_f32(pace),
+            enter: l.array_f32(l.sub_f32(at, room)),
+            leave: l.array_f32(l.add_f32(at, room)),
+            from: before(l, ray.tmin, unit),
+            near: Row::<N>::FIRST[signs % 8],
+            far: Row::<N>::FIRST[!signs % 8],
+        }
+    }
+}
+
+impl<N: Boxes, L: Lanes> Slabs<N, L> {
+    #[inline(always)]
+    pub fn new(l: L, line: &Line<N>) -> Self {
+        let &Line { pace, enter, leave, from, near, far } = line;
         Self {
             pace: each!(k => l.splat_wide(pace[k])),
             enter: each!(k => l.splat_wide(enter[k])),
             leave: each!(k => l.splat_wide(leave[k])),
             from: l.splat_wide(from),
-            near: Row::<N>::FIRST[signs % 8],
-            far: Row::<N>::FIRST[!signs % 8],
+            near,
+            far,
         }
     }
 
     /// A bit for each part of the node that `part` names that the ray meets up to `to`, and where it
-    /// enters these:
-    /// in one wide row, or two.
+    /// enters these: in one wide row, or two.
     #[inline(always)]
     pub fn meet(&self, l: L, sections: &Sections<'_>, part: u32, to: f32) -> (u32, [L::Wide; 2]) {
-        let (met, enter) = self.some(l, sections, part, to, 0);
+        let [enter, last] = self.ends(l, sections, part, to, 0);
+        let met = l.at_most(enter, last);
         if L::WIDE == PARTS {
             return (met, [enter, enter]);
         }
-        let (others, after) = self.some(l, sections, part, to, L::WIDE);
-        (met | others << L::WIDE, [enter, after])
+        let [after, last] = self.ends(l, sections, part, to, L::WIDE);
+        (met | l.at_most(after, last) << L::WIDE, [enter, after])
     }
 
-    /// [`Slabs::meet`] of the parts from `at` on.
+    /// Where the ray enters the first [`Lanes::WIDE`] of these parts, infinity for those that it
+    /// does not meet, and whether it meets any.
     #[inline(always)]
-    fn some(&self, l: L, sections: &Sections<'_>, part: u32, to: f32, at: usize) -> (u32, L::Wide) {
+    pub fn entries(&self, l: L, sections: &Sections<'_>, part: u32, to: f32) -> (L::Wide, bool) {
+        let [enter, last] = self.ends(l, sections, part, to, 0);
+        let entries = l.choose_wide(enter, last, enter, l.splat_wide(f32::INFINITY));
+        (entries, l.at_most(enter, last) != 0)
+    }
+
+    /// Where the ray is in all planes of the parts from `at` on, and up to where.
+    #[inline(always)]
+    fn ends(&self, l: L, sections: &Sections<'_>, part: u32, to: f32, at: usize) -> [L::Wide; 2] {
         let [near, far] = N::bounds(l, sections, part, [&self.near, &self.far], at);
         let enter = each!(k => l.mul_add_wide(near[k], self.pace[k], self.enter[k]));
         let leave = each!(k => l.mul_add_wide(far[k], self.pace[k], self.leave[k]));
         let first = l.max_wide(l.max_wide(enter[0], enter[1]), l.max_wide(enter[2], self.from));
         let last = l.min_wide(leave[0], leave[1]);
-        let last = l.min_wide(last, l.min_wide(leave[2], l.splat_wide(to)));
-        (l.at_most(first, last), first)
+        [first, l.min_wide(last, l.min_wide(leave[2], l.splat_wide(to)))]
     }
 }

@@ -35,7 +35,7 @@ impl<Q: Query, L: Lanes> Kernel<L> for Together<'_, '_, Q> {
         let (mut worth, mut alike) = (false, true);
         while n - next >= RAYS {
             for (i, ray) in tables.rays.iter_mut().enumerate() {
-                *ray = port.ray(next + i);
+                port.ray(next + i, ray);
             }
             let Some(mut packet) = Packet::<Q, L>::new(l, view, &mut tables) else {
                 alike = false;

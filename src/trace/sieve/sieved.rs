@@ -7,6 +7,7 @@ use crate::simd::Lanes;
 pub type Triangles<L> = [[<L as Lanes>::Wide; 3]; 3];
 
 /// What a sieve finds.
+#[derive(Clone, Copy)]
 pub struct Sieved<L: Lanes> {
     /// One bit for each triangle that its ray misses.
     pub out: u32,
@@ -27,6 +28,13 @@ pub struct Place<L: Lanes> {
 }
 
 impl<L: Lanes> Sieved<L> {
+    /// Of no triangles.
+    pub fn none(l: L) -> Self {
+        let zero = l.splat_wide(0.0);
+        let place = Place { height: zero, det: zero, height_error: zero, det_error: zero };
+        Self { out: 0, edges: [zero; 2], place: Some(place) }
+    }
+
     /// `rays` are in the order of [`super::Sieve`]'s rows.
     #[inline(always)]
     pub fn new(l: L, rays: Triangles<L>, [xs, ys, zs]: Triangles<L>) -> Self {

@@ -30,6 +30,7 @@ use super::packet::{self, Together};
 use super::profile::Profile;
 use super::query::{Any, Closest, Query};
 use super::sieve::Sieve;
+use super::volley::{self, Volley};
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
 use crate::simd::{AnyKernel, Isa, Kernel, Lanes, dispatch, fpenv};
@@ -53,8 +54,8 @@ const FEW: usize = 12;
 
 /// Where rays come from and answers go.
 pub(crate) trait Port<Out> {
-    /// Ray `i`: perhaps more than once, but not after it was answered.
-    fn ray(&mut self, i: usize) -> Ray;
+    /// Writes ray `i`: perhaps more than once, but not after it was answered.
+    fn ray(&mut self, i: usize, to: &mut Ray);
     /// Takes the answer to ray `i`.
     fn put(&mut self, i: usize, answer: Out);
 }
@@ -100,7 +101,12 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
                 apart = most.min(2 * apart);
             }
             if next < end && alone {
-                view.one_by_one::<Q, _>(port, next..end, &mut Uncounted);
+                let rays = next..end;
+                if !Q::ANY && volley::suits::<L>() && view.header().quantized == 0 {
+                    run_in_own_frame(lanes, Volley::<Q> { view, port: &mut *port, rays });
+                } else {
+                    view.one_by_one::<Q, _>(port, rays, &mut Uncounted);
+                }
             } else if next < end {
                 run_in_own_frame(lanes, Apart::<Q> { view, port: &mut *port, first: next, end });
             }
@@ -164,8 +170,8 @@ pub(crate) struct Slices<'s, Out> {
 }
 
 impl<Out> Port<Out> for Slices<'_, Out> {
-    fn ray(&mut self, i: usize) -> Ray {
-        self.rays[i]
+    fn ray(&mut self, i: usize, to: &mut Ray) {
+        *to = self.rays[i];
     }
 
     fn put(&mut self, i: usize, answer: Out) {
@@ -246,6 +252,12 @@ impl View<'_> {
         });
     }
 
+    /// Answers a ray that is not for those that go together.
+    #[cold]
+    pub(super) fn alone<Q: Query>(&self, port: &mut dyn Port<Q::Out>, i: usize) {
+        self.one_by_one::<Q, _>(port, i..i + 1, &mut Uncounted);
+    }
+
     /// Not inlined, as several kinds of streams come to it.
     #[inline(never)]
     fn one_by_one<Q: Query, C: Count>(
@@ -254,8 +266,10 @@ impl View<'_> {
         rays: Range<usize>,
         counters: &mut C,
     ) {
+        let mut ray = Ray::new([0.0; 3], [0.0; 3]);
         for i in rays {
-            let answer = self.single::<Q, C>(&port.ray(i), counters);
+            port.ray(i, &mut ray);
+            let answer = self.single::<Q, C>(&ray, counters);
             port.put(i, answer);
         }
     }

@@ -112,7 +112,8 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, Q, L> {
         while self.next < self.n {
             let index = self.next;
             self.next += 1;
-            let ray = self.port.ray(index);
+            let mut ray = Ray::new([0.0; 3], [0.0; 3]);
+            self.port.ray(index, &mut ray);
             if !usable(self.lanes, &ray) {
                 self.port.put(index, Q::miss(&ray));
                 continue;
