@@ -17,4 +17,4 @@ pub use check::check_header;
 #[cfg(feature = "capi")]
 pub use layout::ALIGN;
 pub use view::View;
-pub(crate) use view::{Axis, Order, Row, Sections};
+pub(crate) use view::{Axis, Bounds, Order, Sections};

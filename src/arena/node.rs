@@ -65,6 +65,19 @@ pub trait AnyNode: Pod {
 
     fn parts(&self) -> &[u32; PARTS];
 
+    /// For each set of axes, a bit each, how many bytes from a node's first are the rows of the
+    /// upper bounds along these and of the lower along others.
+    const FIRST: [[usize; 3]; 8] = {
+        let mut rows = [[0; 3]; 8];
+        let mut i = 0;
+        while i < 24 {
+            let (set, axis) = (i / 3, i % 3);
+            rows[set][axis] = (2 * axis + (set >> axis & 1)) * size_of::<Self::Row>();
+            i += 1;
+        }
+        rows
+    };
+
     /// How many bytes lie before the node that a part's word names.
     #[inline(always)]
     fn place(part: u32) -> usize {

@@ -170,12 +170,18 @@ impl<'a> Sections<'a> {
         unsafe { &*self.nodes.add(N::place(part)).cast() }
     }
 
-    /// A row of the bounds of such a node.
+    /// Bounds of all nodes, which are there and of this kind, along the axes: for each set of axes,
+    /// a bit each, the upper bounds along these and the lower along others, where a ray comes to
+    /// first that descends on them.
     #[inline(always)]
-    pub fn bounds<N: AnyNode>(&self, part: u32, row: Row<N>) -> &'a N::Row {
-        debug_assert!(part % (1 << NODE_SHIFT) == NODE);
-        // SAFETY: see the module; a row lies in its node.
-        unsafe { &*self.nodes.add(row.0 + N::place(part)).cast() }
+    pub fn bounds<N: AnyNode>(&self, descending: usize) -> [Bounds<'a, N>; 3] {
+        let [x, y, z] = N::FIRST[descending % 8];
+        let bounds = |row: usize| {
+            // SAFETY: there is a node at least, which this row lies in.
+            let rows = unsafe { self.nodes.add(row) };
+            Bounds { rows, marker: PhantomData }
+        };
+        [bounds(x), bounds(y), bounds(z)]
     }
 
     /// Fetches what a part's word names: four lines, which are a node or most of a leaf. Two are enough
@@ -299,31 +305,21 @@ impl<'a> Sections<'a> {
     }
 }
 
-/// One of a node's six rows of bounds: how many bytes from its first.
+/// One of the six rows of bounds of all nodes.
 #[derive(Clone, Copy)]
-pub(crate) struct Row<N>(usize, PhantomData<N>);
+pub(crate) struct Bounds<'a, N> {
+    rows: *const u8,
+    marker: PhantomData<&'a N>,
+}
 
-impl<N: AnyNode> Row<N> {
-    /// The lower or the upper bounds along an axis, 0 to 2.
-    const fn new(axis: usize, upper: usize) -> Self {
-        Self((2 * axis + upper) * size_of::<N::Row>(), PhantomData)
+impl<'a, N: AnyNode> Bounds<'a, N> {
+    /// That of the node that a part's word names.
+    #[inline(always)]
+    pub fn row(&self, part: u32) -> &'a N::Row {
+        debug_assert!(part % (1 << NODE_SHIFT) == NODE);
+        // SAFETY: see the module.
+        unsafe { &*self.rows.add(N::place(part)).cast() }
     }
-
-    /// For each set of axes, a bit each, the upper bounds along these and the lower along others:
-    /// where a ray comes to first that descends on them.
-    pub const FIRST: [[Self; 3]; 8] = {
-        let mut rows = [[Self::new(0, 0); 3]; 8];
-        let mut signs = 0;
-        while signs < 8 {
-            let mut k = 0;
-            while k < 3 {
-                rows[signs][k] = Self::new(k, signs >> k & 1);
-                k += 1;
-            }
-            signs += 1;
-        }
-        rows
-    };
 }
 
 /// The three axes in some order.

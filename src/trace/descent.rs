@@ -117,7 +117,7 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
         if Q::ANY && self.hidden(occluders, query) {
             return;
         }
-        let line = Line::<N>::new(self.lanes, start, self.ray, self.unit);
+        let line = Line::<N>::new(self.lanes, &self.sections, start, self.ray, self.unit);
         let slabs = Slabs::new(self.lanes, &line);
         let mut room = Room::<WAITING>::new();
         let mut waiting = Stack::new(&mut room);

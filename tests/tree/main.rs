@@ -14,7 +14,7 @@ use common::aligned::Aligned;
 use common::layout::*;
 use common::{adversarial_rays, assert_same, build, is_damage, ray};
 use hug::build::Control;
-use hug::{Counters, Error, Options, Quality, Ray, Scene, Stats, Structure, View};
+use hug::{Counters, Error, Hit, Options, Quality, Ray, Scene, Stats, Structure, View};
 use hug_kit::{Mesh, soups};
 
 fn options() -> Options {

@@ -2,7 +2,7 @@
 
 use super::before;
 use crate::arena::node::{AnyNode, Node, PARTS, QuantizedNode};
-use crate::arena::{Row, Sections};
+use crate::arena::{Bounds, Sections};
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
@@ -19,7 +19,7 @@ pub trait Boxes: AnyNode {
         l: L,
         sections: &Sections<'_>,
         part: u32,
-        rows: [&[Row<Self>; 3]; 2],
+        rows: [&[Bounds<'_, Self>; 3]; 2],
         at: usize,
     ) -> [[L::Wide; 3]; 2];
 }
@@ -28,14 +28,14 @@ impl Boxes for Node {
     #[inline(always)]
     fn bounds<L: Lanes>(
         l: L,
-        sections: &Sections<'_>,
+        _: &Sections<'_>,
         part: u32,
-        [near, far]: [&[Row<Self>; 3]; 2],
+        [near, far]: [&[Bounds<'_, Self>; 3]; 2],
         at: usize,
     ) -> [[L::Wide; 3]; 2] {
         [
-            each!(k => l.load_from(sections.bounds(part, near[k]), at)),
-            each!(k => l.load_from(sections.bounds(part, far[k]), at)),
+            each!(k => l.load_from(near[k].row(part), at)),
+            each!(k => l.load_from(far[k].row(part), at)),
         ]
     }
 }
@@ -48,14 +48,14 @@ impl Boxes for QuantizedNode {
         l: L,
         sections: &Sections<'_>,
         part: u32,
-        [near, far]: [&[Row<Self>; 3]; 2],
+        [near, far]: [&[Bounds<'_, Self>; 3]; 2],
         at: usize,
     ) -> [[L::Wide; 3]; 2] {
         let known = sections.node::<Self>(part);
         let step = each!(k => l.splat_wide(known.step(k)));
         let origin = each!(k => l.splat_wide(known.origin[k]));
-        let near = each!(k => l.bytes_from(sections.bounds(part, near[k]), at));
-        let far = each!(k => l.bytes_from(sections.bounds(part, far[k]), at));
+        let near = each!(k => l.bytes_from(near[k].row(part), at));
+        let far = each!(k => l.bytes_from(far[k].row(part), at));
         [
             each!(k => l.mul_add_wide(near[k], step[k], origin[k])),
             each!(k => l.mul_add_wide(far[k], step[k], origin[k])),
@@ -65,7 +65,7 @@ impl Boxes for QuantizedNode {
 
 /// A ray as boxes want it: numbers for each axis, the fourth means nothing.
 #[derive(Clone, Copy)]
-pub struct Line<N> {
+pub struct Line<'a, N> {
     pace: [f32; 4],
     /// Where the ray is at plane 0, as it enters and as it leaves.
     enter: [f32; 4],
@@ -73,19 +73,19 @@ pub struct Line<N> {
     /// No tau below it is of interest.
     from: f32,
     /// Which bounds of a node it comes to first, and last.
-    near: [Row<N>; 3],
-    far: [Row<N>; 3],
+    near: [Bounds<'a, N>; 3],
+    far: [Bounds<'a, N>; 3],
 }
 
 /// The same, each number in all lanes.
 #[derive(Clone, Copy)]
-pub struct Slabs<N, L: Lanes> {
+pub struct Slabs<'a, N, L: Lanes> {
     pace: [L::Wide; 3],
     enter: [L::Wide; 3],
     leave: [L::Wide; 3],
     from: L::Wide,
-    near: [Row<N>; 3],
-    far: [Row<N>; 3],
+    near: [Bounds<'a, N>; 3],
+    far: [Bounds<'a, N>; 3],
 }
 
 /// A ray in the tree's coordinates: the way from where it begins to their origin, its direction, and
@@ -97,19 +97,23 @@ pub struct Start<L: Lanes> {
     pub speed: L::F32,
 }
 
-impl<N: Boxes> Line<N> {
+impl<'a, N: Boxes> Line<'a, N> {
     /// That of no ray.
-    pub const NONE: Self = Self {
-        pace: [0.0; 4],
-        enter: [0.0; 4],
-        leave: [0.0; 4],
-        from: 0.0,
-        near: Row::<N>::FIRST[0],
-        far: Row::<N>::FIRST[7],
-    };
+    #[inline(always)]
+    pub fn none(sections: &Sections<'a>) -> Self {
+        let rows = [0.0; 4];
+        let (near, far) = (sections.bounds(0), sections.bounds(7));
+        Self { pace: rows, enter: rows, leave: rows, from: 0.0, near, far }
+    }
 
     #[inline(always)]
-    pub fn new<L: Lanes>(l: L, start: &Start<L>, ray: &Ray, unit: f32) -> Self {
+    pub fn new<L: Lanes>(
+        l: L,
+        sections: &Sections<'a>,
+        start: &Start<L>,
+        ray: &Ray,
+        unit: f32,
+    ) -> Self {
         let &Start { way, dir, speed } = start;
         let pace = l.div_f32(l.splat_f32(1.0), l.max_f32(speed, l.splat_f32(LEAST_SPEED)));
         let room = l.add_f32(l.abs_f32(way), l.splat_f32(2.0));
@@ -122,15 +126,15 @@ impl<N: Boxes> Line<N> {
             enter: l.array_f32(l.sub_f32(at, room)),
             leave: l.array_f32(l.add_f32(at, room)),
             from: before(l, ray.tmin, unit),
-            near: Row::<N>::FIRST[signs % 8],
-            far: Row::<N>::FIRST[!signs % 8],
+            near: sections.bounds(signs),
+            far: sections.bounds(!signs),
         }
     }
 }
 
-impl<N: Boxes, L: Lanes> Slabs<N, L> {
+impl<'a, N: Boxes, L: Lanes> Slabs<'a, N, L> {
     #[inline(always)]
-    pub fn new(l: L, line: &Line<N>) -> Self {
+    pub fn new(l: L, line: &Line<'a, N>) -> Self {
         let &Line { pace, enter, leave, from, near, far } = line;
         Self {
             pace: each!(k => l.splat_wide(pace[k])),

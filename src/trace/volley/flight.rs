@@ -22,7 +22,7 @@ pub struct Flight<'a, Q> {
     nodes: [u32; ROWS],
     /// How many there are.
     len: usize,
-    line: Line<Node>,
+    line: Line<'a, Node>,
     /// No tau above it is of interest; finite.
     to: f32,
     /// The word of the part where it is.
@@ -58,7 +58,7 @@ impl<'a, Q: Query> Flight<'a, Q> {
             entries: [[0.0; PARTS]; ROWS],
             nodes: [NODE; ROWS],
             len: 0,
-            line: Line::NONE,
+            line: Line::none(sections),
             to: 0.0,
             part: NODE,
             number: 0,
@@ -84,7 +84,7 @@ impl<'a, Q: Query> Flight<'a, Q> {
         let Some(start) = start(l, view, ray) else { return false };
         let [org, dir, _] = ray.rows();
         self.unit = view.header().unit as f32;
-        self.line = Line::new(l, &start, ray, self.unit);
+        self.line = Line::new(l, sections, &start, ray, self.unit);
         self.to = beyond(l, ray.tmax, self.unit).min(f32::MAX);
         self.sieve = Sieve::new(l, sections, ray, [l.load_f32(org), l.load_f32(dir)], true);
         self.query = Q::new(ray);
