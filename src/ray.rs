@@ -63,12 +63,6 @@ impl Ray {
         self
     }
 
-    /// Whether the flags leave out triangles that the ray comes to from this side.
-    #[inline(always)]
-    pub(crate) const fn culls(&self, front: bool) -> bool {
-        self.flags & (if front { Self::CULL_FRONT } else { Self::CULL_BACK }) != 0
-    }
-
     /// The record in rows of four: origin and `tmin`, direction and `tmax`, the rest.
     pub(crate) fn rows(&self) -> &[[f32; 4]; 3] {
         bytemuck::cast_ref(self)
@@ -81,6 +75,12 @@ impl Ray {
         self.tmax = tmax;
         self
     }
+}
+
+/// Whether a ray's flags leave out triangles that it comes to from this side.
+#[inline(always)]
+pub(crate) const fn culls(flags: u32, front: bool) -> bool {
+    flags & (if front { Ray::CULL_FRONT } else { Ray::CULL_BACK }) != 0
 }
 
 /// What a closest-hit query found. 40 bytes, aligned to 4.

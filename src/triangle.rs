@@ -20,13 +20,13 @@ mod pairs;
 
 use crate::arena::layout::Triangle;
 use crate::exact::{self, Case};
-use crate::ray::Ray;
+use crate::ray::{Ray, culls};
 use crate::simd::Lanes;
 
 pub use estimate::{Apex, normal};
 use estimate::{E, Estimate, Range, Sides};
 use judge::{Judged, Place};
-pub use pairs::Pairs;
+pub use pairs::FourPairs;
 
 type Vector = [f64; 3];
 
@@ -91,7 +91,7 @@ impl Limits {
     /// Whether the ray's flags leave out triangles that it comes to from this side.
     #[inline(always)]
     fn culls(self, front: bool) -> bool {
-        self.flags & (if front { Ray::CULL_FRONT } else { Ray::CULL_BACK }) != 0
+        culls(self.flags, front)
     }
 
     #[inline(always)]

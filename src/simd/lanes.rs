@@ -207,7 +207,7 @@ pub(crate) trait Lanes: Copy + 'static {
     fn cross_wide(self, a: Self::Wide, b: Self::Wide, c: Self::Wide, d: Self::Wide) -> Self::Wide;
     /// One bit for each lane in which `a <= b`.
     fn at_most(self, a: Self::Wide, b: Self::Wide) -> u32;
-    /// One bit for each lane in which the least of all is.
+    /// One bit for each lane in which the least of all is, none of them NaN.
     #[inline(always)]
     fn least(self, a: Self::Wide) -> u32 {
         let mut all = [f32::INFINITY; 8];

@@ -1,11 +1,11 @@
 //! Queries: one walk for all structures and all kinds of query, and a descent through the tree
-//! of boxes, where there is one, for rays on their own.
+//! of boxes, where there is one, for rays on their own or not alike.
 //!
 //! `walk` goes through grids, `course` prepares a ray for all
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
 //! `profile` what is counted, `budget` ends a walk early, `work` bounds what one can do.
-//! `descent` is the way through the tree. `all` and `filter` are walks with other ends, `alone` is about one triangle.
+//! `descent` is the way through the tree, `volley` that of many rays. `all` and `filter` are walks with other ends, `alone` is about one triangle.
 
 mod all;
 mod alone;

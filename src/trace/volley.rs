@@ -24,9 +24,13 @@ use crate::simd::{Kernel, Lanes};
 use flight::{Flight, Next};
 
 /// Rays at a time. Of more, the caches next to the processor do not hold all that is needed.
-pub(super) const SLOTS: usize = 16;
+const SLOTS: usize = 16;
 
-/// Rays of a stream that go down a tree of nodes in full.
+// What is next for each of them is a bit in one of four sets of one number.
+const _: () = assert!(4 * SLOTS <= u64::BITS as usize);
+
+/// Rays of a stream for closest hits that go down a tree of nodes in full, which the scene has, in lanes
+/// that [`suits`].
 pub(super) struct Volley<'a, 'p, Q: Query> {
     pub view: &'a View<'a>,
     pub port: &'p mut dyn Port<Q::Out>,
@@ -71,11 +75,13 @@ struct Rounds<'a, 'p, 'f, Q: Query, L: Lanes> {
     l: L,
     view: &'a View<'a>,
     sections: Sections<'a>,
+    /// The scene's.
+    unit: f32,
     port: &'p mut dyn Port<Q::Out>,
     rays: Range<usize>,
     flights: &'f mut [Flight<'a, Q>; SLOTS],
-    /// Leaves of which several triangles are to be decided.
-    sieved: &'f mut [Sieved<L>; SLOTS],
+    /// Of leaves of which several triangles are to be decided.
+    kept: &'f mut [Sieved<L>; SLOTS],
     sets: Sets,
 }
 
@@ -84,6 +90,8 @@ impl<Q: Query, L: Lanes> Kernel<L> for Volley<'_, '_, Q> {
     #[inline(always)]
     fn run(self, l: L) {
         let Self { view, port, rays } = self;
+        debug_assert!(suits::<L>() && !Q::ANY);
+        debug_assert!(view.header().nodes.count > 0 && view.header().quantized == 0);
         let sections = view.sections();
         let mut flights = [Flight::<Q>::new(l, &sections); SLOTS];
         let free = u32::MAX >> (32 - SLOTS);
@@ -91,10 +99,11 @@ impl<Q: Query, L: Lanes> Kernel<L> for Volley<'_, '_, Q> {
             l,
             view,
             sections,
+            unit: view.header().unit as f32,
             port,
             rays,
             flights: &mut flights,
-            sieved: &mut [Sieved::none(l); SLOTS],
+            kept: &mut [Sieved::none(l); SLOTS],
             sets: Sets { free, nodes: 0, leaves: 0, due: 0, next: 0, done: 0 },
         }
         .run();
@@ -125,7 +134,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, '_, Q, L> {
             let flight = &mut self.flights[slot];
             for index in self.rays.by_ref() {
                 self.port.ray(index, &mut flight.ray);
-                if flight.begin(self.l, self.view, &self.sections, index) {
+                if flight.begin(self.l, self.view, &self.sections, self.unit, index) {
                     self.sets.nodes |= 1 << slot;
                     break;
                 }
@@ -155,7 +164,7 @@ impl<Q: Query, L: Lanes> Rounds<'_, '_, '_, Q, L> {
         let mut slots = core::mem::take(&mut self.sets.leaves);
         let (mut due, mut next) = (0, 0);
         while let Some(slot) = first(&mut slots) {
-            let some = self.flights[slot].sieve(self.l, &mut self.sieved[slot]);
+            let some = self.flights[slot].sieve(self.l, &mut self.kept[slot]);
             due |= u32::from(some) << slot;
             next |= u32::from(!some) << slot;
         }

@@ -7,7 +7,7 @@ use super::Vector;
 use super::estimate::Apex;
 use crate::simd::Lanes;
 
-/// What a triangle and four lines have to do with each other; a bit for each line.
+/// What four lines and a triangle, or a triangle each, have to do with each other; a bit for each line.
 pub struct Four<L: Lanes> {
     /// Those that pass the triangle for certain.
     pub outside: u32,
@@ -22,18 +22,48 @@ pub struct Four<L: Lanes> {
     pub v: L::F32,
 }
 
+impl<L: Lanes> Four<L> {
+    /// From u, v, the determinant and the height, u, v and t being these over the determinant, and
+    /// the bounds of their errors.
+    #[inline(always)]
+    pub fn of(
+        l: L,
+        [u, v, det, height]: [L::F64; 4],
+        [u_error, v_error, det_error]: [L::F64; 3],
+        height_error: L::F64,
+    ) -> Self {
+        let zero = l.splat_f64(0.0);
+        let w = l.sub_f64(l.sub_f64(det, u), v);
+        let lowest = l.min_f64(l.min_f64(u, v), w);
+        let highest = l.max_f64(l.max_f64(u, v), w);
+        let error = l.add_f64(l.add_f64(u_error, v_error), det_error);
+        let inside = l.above_f64(l.max_f64(lowest, l.sub_f64(zero, highest)), error);
+        let outside = l.above_f64(l.min_f64(l.sub_f64(zero, lowest), highest), error);
+        let inverse = l.div_f64(l.splat_f64(1.0), det);
+        let twice = l.abs_f64(l.add_f64(inverse, inverse));
+        let quotient = Quotient { inverse, twice, det_error };
+        let (t, t_known) = quotient.of(l, height, height_error);
+        let (u, u_known) = quotient.of(l, u, u_error);
+        let (v, v_known) = quotient.of(l, v, v_error);
+        let known = l.above_f64(l.abs_f64(det), l.mul_f64(det_error, l.splat_f64(2.5)));
+        let front = l.above_f64(det, zero);
+        let (inside, weighed) = (inside & t_known, u_known & v_known & known);
+        Self { outside, inside, weighed, front, t, u, v }
+    }
+}
+
 /// What quotients by the determinant have in common.
-pub(super) struct Quotient<L: Lanes> {
-    pub inverse: L::F64,
+struct Quotient<L: Lanes> {
+    inverse: L::F64,
     /// Twice the size of that.
-    pub twice: L::F64,
-    pub det_error: L::F64,
+    twice: L::F64,
+    det_error: L::F64,
 }
 
 impl<L: Lanes> Quotient<L> {
     /// The rounded quotients, and for which of them that is certain.
     #[inline(always)]
-    pub fn of(&self, l: L, num: L::F64, error: L::F64) -> (L::F32, u32) {
+    fn of(&self, l: L, num: L::F64, error: L::F64) -> (L::F32, u32) {
         let q = l.mul_f64(num, self.inverse);
         let error = l.mul_add_f64(l.abs_f64(q), self.det_error, error);
         let error = l.mul_f64(error, self.twice);
@@ -63,23 +93,9 @@ impl Apex {
         let size = l.add_f64(l.abs_f64(dir[0]), l.abs_f64(dir[1]));
         let size = l.add_f64(size, l.abs_f64(dir[2]));
         let (u_error, v_error) = (self.errors.second(), self.errors.first());
-        let w = l.sub_f64(l.sub_f64(det, u), v);
-        let lowest = l.min_f64(l.min_f64(u, v), w);
-        let highest = l.max_f64(l.max_f64(u, v), w);
-        let error = l.mul_f64(size, l.splat_f64(u_error + v_error + self.det_error));
-        let inside = l.above_f64(l.max_f64(lowest, l.sub_f64(zero, highest)), error);
-        let outside = l.above_f64(l.min_f64(l.sub_f64(zero, lowest), highest), error);
-        let inverse = l.div_f64(l.splat_f64(1.0), det);
-        let size_of_det = l.abs_f64(det);
-        let det_error = l.mul_f64(size, l.splat_f64(self.det_error));
-        let twice = l.abs_f64(l.add_f64(inverse, inverse));
-        let quotient = Quotient { inverse, twice, det_error };
-        let (t, t_known) = quotient.of(l, l.splat_f64(self.height), l.splat_f64(self.height_error));
-        let (u, u_known) = quotient.of(l, u, l.mul_f64(size, l.splat_f64(u_error)));
-        let (v, v_known) = quotient.of(l, v, l.mul_f64(size, l.splat_f64(v_error)));
-        let known = l.above_f64(size_of_det, l.mul_f64(det_error, l.splat_f64(2.5)));
-        let front = l.above_f64(det, zero);
-        let (inside, weighed) = (inside & t_known, u_known & v_known & known);
-        Four { outside, inside, weighed, front, t, u, v }
+        let height = l.splat_f64(self.height);
+        let error = |error: f64| l.mul_f64(size, l.splat_f64(error));
+        let errors = [error(u_error), error(v_error), error(self.det_error)];
+        Four::of(l, [u, v, det, height], errors, l.splat_f64(self.height_error))
     }
 }

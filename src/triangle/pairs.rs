@@ -4,13 +4,13 @@
 //! the bounds of errors are the same. Nothing of the normal is fused: it is the same, bit for bit.
 
 use super::estimate::E;
-use super::four::{Four, Quotient};
+use super::four::Four;
 use crate::arena::layout::Triangle;
 use crate::ray::Ray;
 use crate::simd::Lanes;
 
 /// What four rays and a triangle each have to do with each other.
-pub struct Pairs<L: Lanes> {
+pub struct FourPairs<L: Lanes> {
     pub found: Four<L>,
     /// The triangles' normals along the axes.
     pub normal: [L::F32; 3],
@@ -45,7 +45,7 @@ fn largest<L: Lanes>(l: L, a: [L::F64; 3]) -> L::F64 {
     l.max_f64(l.max_f64(x, y), z)
 }
 
-impl<L: Lanes> Pairs<L> {
+impl<L: Lanes> FourPairs<L> {
     #[inline(always)]
     pub fn new(l: L, rays: [&Ray; 4], triangles: [&Triangle; 4]) -> Self {
         let row = |k: usize, i: usize| &rays[i].rows()[k];
@@ -88,25 +88,83 @@ impl<L: Lanes> Pairs<L> {
         let near = l.mul_f64(m0, size);
         let (u_error, v_error) = (l.mul_f64(near, m2), l.mul_f64(near, m1));
         let height_error = l.mul_f64(l.mul_f64(m0, area), l.splat_f64(64.0 * E));
-        let error = l.add_f64(l.add_f64(u_error, v_error), det_error);
-        let w = l.sub_f64(l.sub_f64(det, u), v);
-        let lowest = l.min_f64(l.min_f64(u, v), w);
-        let highest = l.max_f64(l.max_f64(u, v), w);
-        let inside = l.above_f64(l.max_f64(lowest, l.sub_f64(zero, highest)), error);
-        let outside = l.above_f64(l.min_f64(l.sub_f64(zero, lowest), highest), error);
-        let inverse = l.div_f64(l.splat_f64(1.0), det);
-        let twice = l.abs_f64(l.add_f64(inverse, inverse));
-        let quotient = Quotient { inverse, twice, det_error };
-        let (t, t_known) = quotient.of(l, height, height_error);
-        let (u, u_known) = quotient.of(l, u, u_error);
-        let (v, v_known) = quotient.of(l, v, v_error);
-        let known = l.above_f64(l.abs_f64(det), l.mul_f64(det_error, l.splat_f64(2.5)));
-        let front = l.above_f64(det, zero);
-        let (inside, weighed) = (inside & t_known, u_known & v_known & known);
+        let errors = [u_error, v_error, det_error];
         Self {
-            found: Four { outside, inside, weighed, front, t, u, v },
+            found: Four::of(l, [u, v, det, height], errors, height_error),
             normal: each!(k => l.narrow(normal[k])),
             tmin: l.widen(tmin),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::{AnyKernel, Isa, dispatch};
+    use crate::triangle::Line;
+
+    struct Decided<'a>([&'a Ray; 4], [&'a Triangle; 4]);
+
+    /// Of each pair whether it is outside or inside for certain, then t, u, v and the normal.
+    impl AnyKernel for Decided<'_> {
+        type Out = [[Option<[f32; 6]>; 2]; 4];
+        const BEST: Isa = Isa::Avx512;
+        #[inline(always)]
+        fn run_on<L: Lanes>(self, l: L) -> Self::Out {
+            let FourPairs { found, normal, .. } = FourPairs::new(l, self.0, self.1);
+            let [t, u, v] = [l.array_f32(found.t), l.array_f32(found.u), l.array_f32(found.v)];
+            let [x, y, z] = each!(k => l.array_f32(normal[k]));
+            let mut all = [[None; 2]; 4];
+            for i in 0..4 {
+                if found.outside >> i & 1 != 0 {
+                    all[i][0] = Some([0.0; 6]);
+                }
+                if found.inside & found.weighed & 1 << i != 0 {
+                    all[i][1] = Some([t[i], u[i], v[i], x[i], y[i], z[i]]);
+                }
+            }
+            all
+        }
+    }
+
+    /// Four different pairs at once are what each of them is by itself, signs of zeros included.
+    #[test]
+    fn each_is_its_own() {
+        let mut state = 1u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            let small = (state >> 40) as f32 / (1 << 24) as f32 - 0.5;
+            // Some share coordinates, and some are zeros of either sign.
+            [small, small, (small * 4.0).round() / 4.0][(state >> 33) as usize % 3]
+        };
+        let mut three = || [random(), random(), random()];
+        let (mut certain, mut outside) = (0, 0);
+        for _ in 0..5000 {
+            let rays: [Ray; 4] = core::array::from_fn(|_| Ray::new(three(), three()));
+            let triangles: [Triangle; 4] = core::array::from_fn(|i| {
+                Triangle::new(&[three(), three(), three()], 0, i as u32, 1)
+            });
+            let [a, b, c, d] = &rays;
+            let [p, q, r, s] = &triangles;
+            let decided = dispatch(Decided([a, b, c, d], [p, q, r, s]));
+            for ((ray, triangle), [out, hit]) in rays.iter().zip(&triangles).zip(decided) {
+                let whole = Ray { tmin: f32::NEG_INFINITY, ..*ray };
+                let line = Line::new(&whole);
+                let met = line.meet(&line.apex(triangle), triangle, f32::INFINITY);
+                if out.is_some() {
+                    assert!(met.is_none(), "{ray:?} {triangle:?}");
+                    outside += 1;
+                }
+                if let Some(numbers) = hit {
+                    let met = met.expect("a hit");
+                    let (u, v) = line.weights(triangle);
+                    let [x, y, z] = crate::triangle::normal(triangle);
+                    let expected = [met.t, u, v, x, y, z].map(f32::to_bits);
+                    assert_eq!(numbers.map(f32::to_bits), expected, "{ray:?} {triangle:?}");
+                    certain += 1;
+                }
+            }
+        }
+        assert!(certain > 500 && outside > 5000, "{certain} {outside}");
     }
 }

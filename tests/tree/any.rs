@@ -3,7 +3,7 @@
 
 use super::{built, trees};
 use crate::common::{adversarial_rays, assert_same, build, ray};
-use hug::{Options, Quality, Ray, View};
+use hug::{Hit, Options, Quality, Ray, View};
 use hug_kit::{Mesh, soups};
 
 /// What the definition says, for rays that begin or end at the closest hit or next to it; how many
@@ -25,10 +25,13 @@ fn check(view: &View<'_>, one: &Ray, name: &str) -> usize {
     }
     let mut stream = vec![false; rays.len()];
     view.occluded_n(&rays, &mut stream);
+    let mut hits = vec![Hit::miss(7.0); rays.len()];
+    view.intersect_n(&rays, &mut hits);
     let mut found = 0;
-    for (ray, in_stream) in rays.iter().zip(stream) {
+    for ((ray, in_stream), closest) in rays.iter().zip(stream).zip(&hits) {
         let hit = view.intersect_brute(ray);
         assert_same(&view.intersect(ray), &hit, ray, &name);
+        assert_same(closest, &hit, ray, &name);
         let expected = hit.is_hit();
         assert_eq!(view.occluded(ray), expected, "{name}: {ray:?}");
         assert_eq!(in_stream, expected, "{name}, in a stream: {ray:?}");

@@ -28,11 +28,12 @@ pub struct Place<L: Lanes> {
 }
 
 impl<L: Lanes> Sieved<L> {
-    /// Of no triangles.
+    /// That of triangles which all rays miss.
+    #[inline(always)]
     pub fn none(l: L) -> Self {
         let zero = l.splat_wide(0.0);
         let place = Place { height: zero, det: zero, height_error: zero, det_error: zero };
-        Self { out: 0, edges: [zero; 2], place: Some(place) }
+        Self { out: u32::MAX, edges: [zero; 2], place: Some(place) }
     }
 
     /// `rays` are in the order of [`super::Sieve`]'s rows.

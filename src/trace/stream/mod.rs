@@ -7,7 +7,7 @@
 //! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
 //! (`ways`), so that few lanes idle, however different the rays are. Rays that are much the
 //! same go together instead (`super::packet`), and in a scene with a tree of boxes those that are
-//! not go down that one by one, where it is quicker.
+//! not go down that, where it is quicker: sixteen at a time (`super::volley`), or one by one.
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
 //! defines (in an arena that a build wrote: what a forged one says may depend on the ray's
@@ -83,9 +83,9 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, n } = self;
         let together = !Q::ANY && packet::suits(view);
-        // In a tree, rays one by one are quicker than some dozens in the grids; not for the closest
-        // hits where these have comparisons into masks.
-        let alone = view.header().nodes.count > 0 && !L::MASKS;
+        // Down a tree is quicker than some dozens in the grids; not for the closest hits where these
+        // have comparisons into masks.
+        let down = view.header().nodes.count > 0 && !L::MASKS;
         let (mut next, mut apart) = (0, APART);
         while next < n {
             let mut end = n;
@@ -100,9 +100,10 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
                 let most = if progress.alike { MOST_ALIKE } else { MOST };
                 apart = most.min(2 * apart);
             }
-            if next < end && alone {
+            if next < end && down {
                 let rays = next..end;
-                if !Q::ANY && volley::suits::<L>() && view.header().quantized == 0 {
+                let many = !Q::ANY && rays.len() >= FEW;
+                if many && volley::suits::<L>() && view.header().quantized == 0 {
                     run_in_own_frame(lanes, Volley::<Q> { view, port: &mut *port, rays });
                 } else {
                     view.one_by_one::<Q, _>(port, rays, &mut Uncounted);
@@ -183,7 +184,7 @@ impl View<'_> {
     /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit. Where 64
     /// rays in a row come from one point and go much the same way, as tiles of 8 by 8 pixels
     /// of a camera do, they go together, and take a third of the time of single rays, or less.
-    /// Others take about that time in a scene with a tree of boxes
+    /// Others take 0.8 to 1 of that time in a scene with a tree of boxes
     /// ([`Options::tree`](crate::Options::tree)); in one without, some dozens or more take about
     /// half of it. If there are more rays than hits, or the reverse, the rest is left alone. Takes
     /// up to 48 kB of stack.

@@ -23,7 +23,7 @@ pub struct Flight<'a, Q> {
     /// How many there are.
     len: usize,
     line: Line<'a, Node>,
-    /// No tau above it is of interest; finite.
+    /// No tau above it is of interest. Finite, as infinity is where there is no part.
     to: f32,
     /// The word of the part where it is.
     part: u32,
@@ -32,7 +32,6 @@ pub struct Flight<'a, Q> {
     left: u32,
     /// The ray's place in the stream.
     pub index: usize,
-    unit: f32,
     sieve: Sieve<'a>,
     pub ray: Ray,
     pub query: Q,
@@ -46,6 +45,12 @@ pub enum Next {
     /// Nothing of the last node is near enough by now.
     Again,
     Nothing,
+}
+
+/// [`beyond`], but finite.
+#[inline(always)]
+fn end<L: Lanes>(l: L, limit: f32, unit: f32) -> f32 {
+    beyond(l, limit, unit).min(f32::MAX)
 }
 
 impl<'a, Q: Query> Flight<'a, Q> {
@@ -64,7 +69,6 @@ impl<'a, Q: Query> Flight<'a, Q> {
             number: 0,
             left: 0,
             index: 0,
-            unit: 1.0,
             sieve: Sieve::new(l, sections, &ray, [l.load_f32(org), l.load_f32(dir)], true),
             ray,
             query: Q::new(&ray),
@@ -78,14 +82,14 @@ impl<'a, Q: Query> Flight<'a, Q> {
         l: L,
         view: &View,
         sections: &Sections<'a>,
+        unit: f32,
         index: usize,
     ) -> bool {
         let ray = &self.ray;
         let Some(start) = start(l, view, ray) else { return false };
         let [org, dir, _] = ray.rows();
-        self.unit = view.header().unit as f32;
-        self.line = Line::new(l, sections, &start, ray, self.unit);
-        self.to = beyond(l, ray.tmax, self.unit).min(f32::MAX);
+        self.line = Line::new(l, sections, &start, ray, unit);
+        self.to = end(l, ray.tmax, unit);
         self.sieve = Sieve::new(l, sections, ray, [l.load_f32(org), l.load_f32(dir)], true);
         self.query = Q::new(ray);
         (self.part, self.len, self.index) = (NODE, 0, index);
@@ -163,9 +167,9 @@ impl<'a, Q: Query> Flight<'a, Q> {
 
     /// Looks no farther than what was found.
     #[inline(always)]
-    pub fn shorten<L: Lanes>(&mut self, l: L) {
+    pub fn shorten<L: Lanes>(&mut self, l: L, unit: f32) {
         let limit = self.query.limit();
         self.sieve.limit(l, limit);
-        self.to = beyond(l, limit, self.unit).min(f32::MAX);
+        self.to = end(l, limit, unit);
     }
 }
