@@ -7,11 +7,12 @@
 //! so that a processor has several rays' of them in the works, and hardly a branch in them depends
 //! on a ray. What is to be done with a ray next is which of the [`Sets`] it is in.
 //!
-//! It is for the closest hits of rays that are not alike; those go together (`super::packet`).
+//! It is for the closest hits of rays that begin far from each other (`scattered`).
 //! Answers are those of single rays, bit for bit: `triangle` defines them.
 
 mod flight;
 mod four;
+mod scattered;
 
 use core::ops::Range;
 
@@ -22,6 +23,7 @@ use crate::arena::node::PARTS;
 use crate::arena::{Sections, View};
 use crate::simd::{Kernel, Lanes};
 use flight::{Flight, Next};
+pub(super) use scattered::scattered;
 
 /// Rays at a time. Of more, the caches next to the processor do not hold all that is needed.
 const SLOTS: usize = 16;

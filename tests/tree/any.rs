@@ -25,10 +25,19 @@ fn check(view: &View<'_>, one: &Ray, name: &str) -> usize {
     }
     let mut stream = vec![false; rays.len()];
     view.occluded_n(&rays, &mut stream);
-    let mut hits = vec![Hit::miss(7.0); rays.len()];
-    view.intersect_n(&rays, &mut hits);
+    // Every other one from elsewhere, so that they are not taken for rays that are alike.
+    let (lower, upper) = view.bounds();
+    let away = std::array::from_fn(|k| upper[k] + 0.5 * (upper[k] - lower[k]));
+    let away = Ray::new(away, std::array::from_fn(|k| lower[k] - away[k]));
+    let mixed: Vec<Ray> = rays.iter().flat_map(|ray| [*ray, away]).collect();
+    let mut hits = vec![Hit::miss(7.0); mixed.len()];
+    view.intersect_n(&mixed, &mut hits);
+    let expected = view.intersect_brute(&away);
+    for hit in hits.iter().skip(1).step_by(2) {
+        assert_same(hit, &expected, &away, &name);
+    }
     let mut found = 0;
-    for ((ray, in_stream), closest) in rays.iter().zip(stream).zip(&hits) {
+    for ((ray, in_stream), closest) in rays.iter().zip(stream).zip(hits.iter().step_by(2)) {
         let hit = view.intersect_brute(ray);
         assert_same(&view.intersect(ray), &hit, ray, &name);
         assert_same(closest, &hit, ray, &name);

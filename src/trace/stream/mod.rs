@@ -49,6 +49,9 @@ const APART: usize = 64;
 const MOST: usize = 1 << 15;
 const MOST_ALIKE: usize = 1 << 10;
 
+/// Rays for which it is decided anew how they go down a tree.
+const BLOCK: usize = 4096;
+
 /// Rays that are sooner answered one by one.
 const FEW: usize = 12;
 
@@ -101,9 +104,10 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
                 apart = most.min(2 * apart);
             }
             if next < end && down {
+                end = end.min(next + BLOCK);
                 let rays = next..end;
-                let many = !Q::ANY && rays.len() >= FEW;
-                if many && volley::suits::<L>() && view.header().quantized == 0 {
+                let many = !Q::ANY && volley::suits::<L>() && view.header().quantized == 0;
+                if many && rays.len() >= FEW && volley::scattered::<Q>(view, port, &rays) {
                     run_in_own_frame(lanes, Volley::<Q> { view, port: &mut *port, rays });
                 } else {
                     view.one_by_one::<Q, _>(port, rays, &mut Uncounted);
