@@ -7,7 +7,7 @@
 //! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
 //! (`ways`), so that few lanes idle, however different the rays are. Rays that are much the
 //! same go together instead (`super::packet`), and in a scene with a tree of boxes those that are
-//! not go down that, where it is quicker: sixteen at a time (`super::volley`), or one by one.
+//! not go down that, where it is quicker: one by one, or sixteen at a time (`super::volley`).
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
 //! defines (in an arena that a build wrote: what a forged one says may depend on the ray's
