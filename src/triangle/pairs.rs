@@ -18,6 +18,12 @@ pub struct FourPairs<L: Lanes> {
     pub tmin: L::F64,
 }
 
+/// Four rows, lane by lane.
+#[inline(always)]
+fn columns<L: Lanes>(l: L, [a, b, c, d]: [&[f32; 4]; 4]) -> [L::F32; 4] {
+    l.transpose([l.load_f32(a), l.load_f32(b), l.load_f32(c), l.load_f32(d)])
+}
+
 /// `a x b`, nothing of it fused.
 #[inline(always)]
 fn cross<L: Lanes>(l: L, a: [L::F64; 3], b: [L::F64; 3]) -> [L::F64; 3] {
@@ -48,28 +54,13 @@ fn largest<L: Lanes>(l: L, a: [L::F64; 3]) -> L::F64 {
 impl<L: Lanes> FourPairs<L> {
     #[inline(always)]
     pub fn new(l: L, rays: [&Ray; 4], triangles: [&Triangle; 4]) -> Self {
-        let row = |k: usize, i: usize| &rays[i].rows()[k];
-        let [x, y, z, tmin] = l.transpose([
-            l.load_f32(row(0, 0)),
-            l.load_f32(row(0, 1)),
-            l.load_f32(row(0, 2)),
-            l.load_f32(row(0, 3)),
-        ]);
+        let [a, b, c, d] = rays.map(Ray::rows);
+        let [x, y, z, tmin] = columns(l, [&a[0], &b[0], &c[0], &d[0]]);
         let org = [l.widen(x), l.widen(y), l.widen(z)];
-        let [x, y, z, _] = l.transpose([
-            l.load_f32(row(1, 0)),
-            l.load_f32(row(1, 1)),
-            l.load_f32(row(1, 2)),
-            l.load_f32(row(1, 3)),
-        ]);
+        let [x, y, z, _] = columns(l, [&a[1], &b[1], &c[1], &d[1]]);
         let dir = [l.widen(x), l.widen(y), l.widen(z)];
-        let row = |k: usize, i: usize| triangles[i].rows()[k];
-        let corners = each!(k => l.transpose([
-            l.load_f32(row(k, 0)),
-            l.load_f32(row(k, 1)),
-            l.load_f32(row(k, 2)),
-            l.load_f32(row(k, 3)),
-        ]));
+        let [a, b, c, d] = triangles.map(Triangle::rows);
+        let corners = each!(k => columns(l, [a[k], b[k], c[k], d[k]]));
         let first = each!(k => l.widen(corners[k][0]));
         let to = each!(k => l.sub_f64(first[k], org[k]));
         let e1 = each!(k => l.sub_f64(l.widen(corners[k][1]), first[k]));
