@@ -9,7 +9,7 @@ use hug::{Hit, Isa, Ray, Scene, View, force_isa};
 use hug_kit::random::Random;
 use hug_kit::{Bounds, Mesh};
 
-/// 48 kB, and 8 for the thread itself.
+/// 48 kB, and 8 for the thread itself; for many rays 256 kB.
 const STACK: usize = 56 << 10;
 
 /// As many as go together.
@@ -180,15 +180,29 @@ fn little_stack_suffices() {
             let mut random = Random::stream(0x9ac4ea);
             let rays: Vec<Ray> = (0..8).flat_map(|_| packet(&mesh, &bounds, &mut random)).collect();
             let mut hits = vec![Hit::miss(7.0); rays.len()];
-            let search = move || {
-                for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
-                    scene.view().intersect_n(rays, hits);
-                }
-                hits.len()
+            // Every other one the other way, so that they are no packets.
+            let back = |i: usize, ray: &Ray| Ray {
+                dir: ray.dir.map(|x| if i % 2 == 0 { x } else { -x }),
+                ..*ray
             };
-            let small = std::thread::Builder::new().stack_size(STACK).spawn(search);
-            let answered = small.expect("a thread").join().expect("no panic");
-            assert_eq!(answered, 8 * RAYS, "{name} in {kind}");
+            let many: Vec<Ray> = rays.iter().enumerate().map(|(i, ray)| back(i, ray)).collect();
+            let wanted: Vec<Hit> = many.iter().map(|ray| scene.view().intersect(ray)).collect();
+            let (mut found, mut occluded) = (hits.clone(), vec![false; many.len()]);
+            std::thread::scope(|scope| {
+                let spawn = |stack: usize| std::thread::Builder::new().stack_size(stack);
+                let few = spawn(STACK).spawn_scoped(scope, || {
+                    for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
+                        scene.view().intersect_n(rays, hits);
+                    }
+                });
+                few.expect("a thread").join().expect("no panic");
+                let all = spawn(STACK + (208 << 10)).spawn_scoped(scope, || {
+                    scene.view().intersect_n(&many, &mut found);
+                    scene.view().occluded_n(&many, &mut occluded);
+                });
+                all.expect("a thread").join().expect("no panic");
+            });
+            assert_eq!(found, wanted, "{name} in {kind}");
         }
     }
 }

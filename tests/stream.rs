@@ -81,7 +81,9 @@ fn any_number_of_rays() {
     let (_, mesh) = soups().pop().expect("there are soups");
     let scene = build(&mesh, &configurations()[0].1);
     let rays: Vec<Ray> = adversarial_rays(&mesh, 32, 40).iter().map(|(_, r)| ray(r)).collect();
-    for n in (0..70).chain([127, 128, 129, rays.len()]) {
+    // From 256 on they may go together, 512 at a time and 4,096 parted in one go.
+    let rays: Vec<Ray> = rays.iter().cycle().take(5000).copied().collect();
+    for n in (0..70).chain([127, 128, 129, 255, 256, 257, 1023, 4095, 4097, rays.len()]) {
         compare(&format!("{n} rays"), &scene, &rays[..n.min(rays.len())]);
     }
     // Only as many as there is room for.

@@ -106,9 +106,10 @@ pub(super) unsafe fn occluded(
 ///
 /// Where 64 rays in a row come from one point and go much the same way, as tiles of 8 by 8
 /// pixels of a camera do, they go together, and take a third of the time of calls of their
-/// own, or less. Others take 0.8 to 1 of that time in a scene with a tree of boxes
-/// (HUG_BUILD_TREE); in one without, up to 32 are under way at a time, and some dozens or
-/// more take about half of it. It takes up to 48 kB of stack.
+/// own, or less. 256 or more others in a scene with a tree of boxes (HUG_BUILD_TREE) go down
+/// that together and take 0.7 to 1 of that time; in one without, up to 32 are under way at a
+/// time, and some dozens or more take about half of it. It takes up to 48 kB of stack, of 256
+/// rays or more 256 kB.
 ///
 /// # Safety
 /// The rays must be readable and the hits writable, at their strides.

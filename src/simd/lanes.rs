@@ -21,8 +21,8 @@ pub(crate) trait Lanes: Copy + 'static {
     /// out, as it would be much code.
     const REGISTERS: bool = true;
 
-    /// Whether comparisons make masks of a bit for each lane.
-    const MASKS: bool = false;
+    /// Rays that [`Lanes::enter_box`] takes at once, at most 16.
+    const MANY: usize = Self::WIDE;
 
     /// Brings what `at` points to closer, if that is quicker; reads nothing.
     #[inline(always)]
@@ -32,6 +32,12 @@ pub(crate) trait Lanes: Copy + 'static {
 
     /// Runs a kernel compiled for this instruction set.
     fn run<K: Kernel<Self>>(self, kernel: K) -> K::Out;
+
+    /// Likewise, in a function of its own: what several places need is there but once.
+    #[inline(never)]
+    fn run_in_function<K: Kernel<Self>>(self, kernel: K) -> K::Out {
+        self.run(kernel)
+    }
 
     /// Likewise, never as part of the caller: what is rarely needed does not take its registers,
     /// and is there but once.
@@ -162,10 +168,72 @@ pub(crate) trait Lanes: Copy + 'static {
     /// Copies the words that `mask` has a bit for to the start of `to`, in their order;
     /// what follows them there becomes the first of `words`, or 0, or stays.
     fn compress(self, words: &[u32; 8], mask: u32, to: &mut [u32; 8]);
+    /// The same of numbers.
+    #[inline(always)]
+    fn compress_wide(self, a: Self::Wide, mask: u32, to: &mut [f32; 8]) {
+        let (mut numbers, mut words) = ([0.0; 8], [0; 8]);
+        self.store_wide(a, &mut numbers);
+        self.compress(bytemuck::cast_ref(&numbers), mask, &mut words);
+        *to = bytemuck::cast(words);
+    }
+    /// Of the first [`Lanes::WIDE`] numbers of entries their values; modulo `N`, a power of two.
+    #[inline(always)]
+    fn gather<const N: usize>(self, from: &[f32; N], numbers: &[u32; 8]) -> Self::Wide {
+        const { assert!(N.is_power_of_two()) };
+        let mut all = [0.0; 8];
+        for (to, &number) in all.iter_mut().zip(numbers) {
+            *to = from[number as usize % N];
+        }
+        self.load_wide(&all)
+    }
+    /// Writes the ids of those of the first [`Lanes::MANY`] rays that meet a box, and where they enter it,
+    /// in their order, to the start of `to` and `entries`, where what follows becomes anything;
+    /// returns how many they are. `near` and `far`, the first and the last three of the box's
+    /// `bounds`, are those that all of them come to first and last.
+    #[inline(always)]
+    fn enter_box(
+        self,
+        rays: &RayColumns<'_>,
+        bounds: [f32; 6],
+        ids: &[u32; 16],
+        to: &mut [u32; 16],
+        entries: &mut [f32; 16],
+    ) -> usize {
+        const { assert!(Self::MANY == Self::WIDE) };
+        let &RayColumns { pace, from, enter, to: ends, leave } = rays;
+        let pace = each!(k => self.load_wide(eight(pace[k])));
+        let enter = each!(k => {
+            self.mul_add_wide(self.splat_wide(bounds[k]), pace[k], self.load_wide(eight(enter[k])))
+        });
+        let leave = each!(k => {
+            let bound = self.splat_wide(bounds[k + 3]);
+            self.mul_add_wide(bound, pace[k], self.load_wide(eight(leave[k])))
+        });
+        let first = self.max_wide(enter[2], self.load_wide(eight(from)));
+        let first = self.max_wide(self.max_wide(enter[0], enter[1]), first);
+        let last = self.min_wide(leave[2], self.load_wide(eight(ends)));
+        let last = self.min_wide(self.min_wide(leave[0], leave[1]), last);
+        let met = self.at_most(first, last);
+        self.compress(eight(ids), met, eight_mut(to));
+        self.compress_wide(first, met, eight_mut(entries));
+        met.count_ones() as usize
+    }
     /// Three times the first [`Lanes::WIDE`] numbers, zeros where there are fewer.
     fn thrice(self, numbers: &[u32]) -> [u32; 8];
     /// The first, second and third numbers of `row(0)`, `row(1)` and so on.
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [Self::Wide; 3];
+    /// All four numbers of these.
+    #[inline(always)]
+    fn four_columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [Self::Wide; 4] {
+        let mut all = [[0.0; 8]; 4];
+        for i in 0..Self::WIDE {
+            for (column, &number) in all.iter_mut().zip(row(i)) {
+                column[i] = number;
+            }
+        }
+        let [a, b, c, d] = &all;
+        [self.load_wide(a), self.load_wide(b), self.load_wide(c), self.load_wide(d)]
+    }
     fn load_wide(self, a: &[f32; 8]) -> Self::Wide;
     /// Writes the first [`Lanes::WIDE`].
     fn store_wide(self, a: Self::Wide, to: &mut [f32; 8]);
@@ -221,6 +289,27 @@ pub(crate) trait Lanes: Copy + 'static {
     fn product_less(self, a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Self::Wide;
     /// One bit for each lane in which `a > b`, or `c > d` and `e > f`.
     fn misses(self, ab: [Self::Wide; 2], cd: [Self::Wide; 2], ef: [Self::Wide; 2]) -> u32;
+}
+
+/// Rays as boxes want them, at least [`Lanes::MANY`] of them: by axes their pace and where they are at
+/// plane 0, as they enter and as they leave, and the range of what is of interest.
+pub(crate) struct RayColumns<'a> {
+    pub pace: [&'a [f32; 16]; 3],
+    pub from: &'a [f32; 16],
+    pub enter: [&'a [f32; 16]; 3],
+    pub to: &'a [f32; 16],
+    pub leave: [&'a [f32; 16]; 3],
+}
+
+/// The first eight.
+#[inline(always)]
+fn eight<T>(all: &[T; 16]) -> &[T; 8] {
+    all.first_chunk().expect("there are sixteen")
+}
+
+#[inline(always)]
+fn eight_mut<T>(all: &mut [T; 16]) -> &mut [T; 8] {
+    all.first_chunk_mut().expect("there are sixteen")
 }
 
 /// Code to be compiled for an instruction set.

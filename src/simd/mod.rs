@@ -17,6 +17,7 @@ mod lanes;
 mod pages;
 mod pair;
 mod portable;
+mod shelf;
 mod stack;
 #[cfg(target_arch = "x86_64")]
 mod x86;
@@ -26,9 +27,10 @@ pub(crate) use fetch::fetch;
 pub(crate) use isa::portably;
 pub(crate) use isa::{AnyKernel, dispatch};
 pub use isa::{Isa, force_isa, isa};
-pub(crate) use lanes::{Kernel, Lanes};
+pub(crate) use lanes::{Kernel, Lanes, RayColumns};
 #[cfg(feature = "alloc")]
 pub(crate) use pages::ask_for_large;
 pub(crate) use pair::Pair;
 pub(crate) use portable::Portable;
+pub(crate) use shelf::Shelf;
 pub(crate) use stack::{Room, Stack};

@@ -3,7 +3,6 @@
 use super::budget::Budget;
 use super::profile::Profile;
 use crate::ray::Ray;
-use crate::simd::Isa;
 use crate::triangle::Corners;
 
 /// What queries did; a counted query adds to it. The same numbers on every
@@ -51,12 +50,6 @@ pub(crate) trait Count {
     fn spent(&self) -> bool {
         false
     }
-}
-
-/// The best instruction set of x86-64 that walks are compiled for which count so: a kernel
-/// for each would make the library a third larger, and what counts is not in a hurry.
-pub(super) const fn best<C: Count>() -> Isa {
-    if C::COUNTS { Isa::Portable } else { Isa::Avx512 }
 }
 
 /// Counts nothing.

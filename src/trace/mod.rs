@@ -5,7 +5,8 @@
 //! of them, `local` for one, `rebase` does so for rays from very far away, `sieve`
 //! rejects triangles cheaply, `query` says what is looked for, `counters` and
 //! `profile` what is counted, `budget` ends a walk early, `work` bounds what one can do.
-//! `descent` is the way through the tree, `volley` that of many rays. `all` and `filter` are walks with other ends, `alone` is about one triangle.
+//! `descent` is the way through the tree, `flock` that of many rays. `all` and `filter` are walks
+//! with other ends, `alone` is about one triangle.
 
 mod all;
 mod alone;
@@ -16,6 +17,7 @@ mod course;
 mod decided;
 mod descent;
 mod filter;
+mod flock;
 mod local;
 mod nearest;
 mod packet;
@@ -26,7 +28,6 @@ mod sieve;
 mod single;
 mod stream;
 mod turned;
-mod volley;
 mod walk;
 mod work;
 

@@ -104,3 +104,32 @@ fn what_is_met_too_late_is_no_hit() {
         assert!(found > 50, "{found}");
     }
 }
+
+/// A hit whose t is less than half the least denormal behind the origin, and rounds to where the
+/// range begins, of a triangle as large as it can be.
+#[test]
+fn what_rounds_to_the_start_is_a_hit() {
+    let large = 2f32.powi(27);
+    let mut mesh = Mesh::default();
+    for k in 0..16 {
+        let z = if k == 0 { f32::from_bits(1) } else { k as f32 * 2f32.powi(22) };
+        mesh.push([[0.0, 0.0, z], [large, 0.0, z], [0.0, large, z]]);
+    }
+    for options in trees() {
+        let scene = build(&mesh, &options);
+        let view = scene.view();
+        for tmin in [0.0, -0.0] {
+            for x in [0.0, 1.0, 1e6] {
+                let one = Ray { tmin, ..Ray::new([x, x, 0.0], [0.0, 0.0, -1e6]) };
+                let expected = view.intersect_brute(&one);
+                assert!(expected.is_hit() && expected.t == 0.0, "{expected:?}");
+                let rays = vec![one; 600];
+                let (mut hits, mut any) = (vec![Hit::miss(7.0); 600], vec![false; 600]);
+                view.intersect_n(&rays, &mut hits);
+                view.occluded_n(&rays, &mut any);
+                hits.iter().for_each(|hit| assert_same(hit, &expected, &one, &"start"));
+                assert!(any.iter().all(|&any| any));
+            }
+        }
+    }
+}

@@ -43,6 +43,15 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn compress_wide(self, a: __m256, mask: u32, to: &mut [f32; 8]) {
+        let order = &ORDERS[mask as usize % ORDERS.len()];
+        with!({
+            let order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(order.as_ptr().cast()));
+            _mm256_storeu_ps(to.as_mut_ptr(), _mm256_permutevar8x32_ps(a, order));
+        });
+    }
+
+    #[inline(always)]
     fn at_most(self, a: __m256, b: __m256) -> u32 {
         with!(_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)) as u32)
     }

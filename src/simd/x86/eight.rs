@@ -59,6 +59,34 @@ macro_rules! eight_lanes {
             })
         }
         #[inline(always)]
+        fn four_columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [__m256; 4] {
+            with!({
+                let r04 = _mm256_loadu2_m128(row(4).as_ptr(), row(0).as_ptr());
+                let r15 = _mm256_loadu2_m128(row(5).as_ptr(), row(1).as_ptr());
+                let r26 = _mm256_loadu2_m128(row(6).as_ptr(), row(2).as_ptr());
+                let r37 = _mm256_loadu2_m128(row(7).as_ptr(), row(3).as_ptr());
+                let low01 = _mm256_unpacklo_ps(r04, r15);
+                let low23 = _mm256_unpacklo_ps(r26, r37);
+                let high01 = _mm256_unpackhi_ps(r04, r15);
+                let high23 = _mm256_unpackhi_ps(r26, r37);
+                [
+                    _mm256_shuffle_ps::<0b01_00_01_00>(low01, low23),
+                    _mm256_shuffle_ps::<0b11_10_11_10>(low01, low23),
+                    _mm256_shuffle_ps::<0b01_00_01_00>(high01, high23),
+                    _mm256_shuffle_ps::<0b11_10_11_10>(high01, high23),
+                ]
+            })
+        }
+        #[inline(always)]
+        fn gather<const N: usize>(self, from: &[f32; N], numbers: &[u32; 8]) -> __m256 {
+            const { assert!(N.is_power_of_two() && N <= 1 << 30) };
+            with!({
+                let at = _mm256_loadu_si256(numbers.as_ptr().cast());
+                let at = _mm256_and_si256(at, _mm256_set1_epi32(N as i32 - 1));
+                _mm256_i32gather_ps::<4>(from.as_ptr(), at)
+            })
+        }
+        #[inline(always)]
         fn load_wide(self, a: &[f32; 8]) -> __m256 {
             with!(_mm256_loadu_ps(a.as_ptr()))
         }

@@ -3,7 +3,8 @@
 //! # Safety
 //! The intrinsics are sound because a value of [`Avx2`] or [`Avx512`] exists only
 //! after `detect` found the instructions, in this call or an earlier one of the
-//! process; loads go through references.
+//! process; loads go through references, or gather from an array whose length is a power of two at
+//! places modulo that.
 
 mod avx2;
 mod avx512;

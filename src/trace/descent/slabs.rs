@@ -63,15 +63,12 @@ impl Boxes for QuantizedNode {
     }
 }
 
-/// A ray as boxes want it: numbers for each axis, the fourth means nothing.
+/// A ray as boxes want it: numbers for each axis, of which the fourth is something else.
 #[derive(Clone, Copy)]
 pub struct Line<'a, N> {
-    pace: [f32; 4],
-    /// Where the ray is at plane 0, as it enters and as it leaves.
-    enter: [f32; 4],
-    leave: [f32; 4],
-    /// No tau below it is of interest.
-    from: f32,
+    /// Pace, and the tau below which none is of interest; where the ray is at plane 0 as it enters,
+    /// and as it leaves, the fourth of which mean nothing.
+    pub rows: [[f32; 4]; 3],
     /// Which bounds of a node it comes to first, and last.
     near: [Bounds<'a, N>; 3],
     far: [Bounds<'a, N>; 3],
@@ -98,14 +95,6 @@ pub struct Start<L: Lanes> {
 }
 
 impl<'a, N: Boxes> Line<'a, N> {
-    /// That of no ray.
-    #[inline(always)]
-    pub fn none(sections: &Sections<'a>) -> Self {
-        let rows = [0.0; 4];
-        let (near, far) = (sections.bounds(0), sections.bounds(7));
-        Self { pace: rows, enter: rows, leave: rows, from: 0.0, near, far }
-    }
-
     #[inline(always)]
     pub fn new<L: Lanes>(
         l: L,
@@ -121,26 +110,32 @@ impl<'a, N: Boxes> Line<'a, N> {
         let pace = l.sign_f32(pace, dir);
         let at = l.mul_f32(way, pace);
         let signs = l.signs(dir) as usize;
-        Self {
-            pace: l.array_f32(pace),
-            enter: l.array_f32(l.sub_f32(at, room)),
-            leave: l.array_f32(l.add_f32(at, room)),
-            from: before(l, ray.tmin, unit),
-            near: sections.bounds(signs),
-            far: sections.bounds(!signs),
-        }
+        let mut rows =
+            [l.array_f32(pace), l.array_f32(l.sub_f32(at, room)), l.array_f32(l.add_f32(at, room))];
+        rows[0][3] = before(l, ray.tmin, unit);
+        Self { rows, near: sections.bounds(signs), far: sections.bounds(!signs) }
     }
 }
 
 impl<'a, N: Boxes, L: Lanes> Slabs<'a, N, L> {
     #[inline(always)]
     pub fn new(l: L, line: &Line<'a, N>) -> Self {
-        let &Line { pace, enter, leave, from, near, far } = line;
+        Self::of(l, &line.rows, line.near, line.far)
+    }
+
+    /// Those of a line with these rows.
+    #[inline(always)]
+    pub fn of(
+        l: L,
+        [pace, enter, leave]: &[[f32; 4]; 3],
+        near: [Bounds<'a, N>; 3],
+        far: [Bounds<'a, N>; 3],
+    ) -> Self {
         Self {
             pace: each!(k => l.splat_wide(pace[k])),
             enter: each!(k => l.splat_wide(enter[k])),
             leave: each!(k => l.splat_wide(leave[k])),
-            from: l.splat_wide(from),
+            from: l.splat_wide(pace[3]),
             near,
             far,
         }

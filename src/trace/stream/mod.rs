@@ -7,7 +7,7 @@
 //! where triangles are sieved (`pairs`). A ray that has its answer makes room for the next at once
 //! (`ways`), so that few lanes idle, however different the rays are. Rays that are much the
 //! same go together instead (`super::packet`), and in a scene with a tree of boxes those that are
-//! not go down that, where it is quicker: one by one, or sixteen at a time (`super::volley`).
+//! not go down that, in flocks (`super::flock`).
 //!
 //! Answers are those of single rays, bit for bit, as every answer is what `triangle`
 //! defines (in an arena that a build wrote: what a forged one says may depend on the ray's
@@ -24,16 +24,16 @@ mod ways;
 
 use core::ops::Range;
 
-use super::counters::{Count, Counters, Uncounted, best};
+use super::counters::{Count, Counters, Uncounted};
 use super::course::Course;
+use super::flock::{self, Flock};
 use super::packet::{self, Together};
 use super::profile::Profile;
 use super::query::{Any, Closest, Query};
 use super::sieve::Sieve;
-use super::volley::{self, Volley};
 use crate::arena::View;
 use crate::ray::{Hit, Ray};
-use crate::simd::{AnyKernel, Isa, Kernel, Lanes, dispatch, fpenv};
+use crate::simd::{AnyKernel, Isa, Lanes, dispatch, fpenv};
 use columns::{Columns, SLOTS};
 use flight::{Flight, Frame};
 use pairs::Pairs;
@@ -49,8 +49,8 @@ const APART: usize = 64;
 const MOST: usize = 1 << 15;
 const MOST_ALIKE: usize = 1 << 10;
 
-/// Rays for which it is decided anew how they go down a tree.
-const BLOCK: usize = 4096;
+/// The same of rays that are no packet, where they go in flocks.
+const FLOCKS: usize = 1 << 11;
 
 /// Rays that are sooner answered one by one.
 const FEW: usize = 12;
@@ -79,41 +79,40 @@ struct Apart<'a, 'p, Q: Query> {
 
 impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     type Out = ();
-    // In a scene with a tree those for any hit walk in no grid, so that a kernel of their own for
-    // AVX-512 would be a fiftieth of the library for what is seldom there.
-    const BEST: Isa = if Q::ANY { Isa::Avx2 } else { best::<Uncounted>() };
+    // Packets are no quicker with AVX-512.
+    const BEST: Isa = Isa::Avx2;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, n } = self;
         let together = !Q::ANY && packet::suits(view);
-        // Down a tree is quicker than some dozens in the grids; not for the closest hits where these
-        // have comparisons into masks.
-        let down = view.header().nodes.count > 0 && !L::MASKS;
+        let down = view.header().nodes.count > 0;
+        let in_flocks = down && view.header().quantized == 0 && flock::suits::<L>();
         let (mut next, mut apart) = (0, APART);
         while next < n {
             let mut end = n;
             if together {
                 let progress =
-                    run_in_own_frame(lanes, Together::<Q> { view, port: &mut *port, next, n });
+                    lanes.run_in_function(Together::<Q> { view, port: &mut *port, next, n });
                 if progress.worth {
                     apart = APART;
                 }
                 next = progress.next;
                 end = n.min(next + apart);
+                if in_flocks && !progress.alike {
+                    apart = apart.max(FLOCKS);
+                    end = n.min(next + apart);
+                }
                 let most = if progress.alike { MOST_ALIKE } else { MOST };
                 apart = most.min(2 * apart);
             }
             if next < end && down {
-                end = end.min(next + BLOCK);
-                let rays = next..end;
-                let many = !Q::ANY && volley::suits::<L>() && view.header().quantized == 0;
-                if many && rays.len() >= FEW && volley::scattered::<Q>(view, port, &rays) {
-                    run_in_own_frame(lanes, Volley::<Q> { view, port: &mut *port, rays });
+                if in_flocks && end - next >= flock::LEAST {
+                    run_in_own_frame(Flock::<Q> { view, port: &mut *port, rays: next..end });
                 } else {
-                    view.one_by_one::<Q, _>(port, rays, &mut Uncounted);
+                    view.one_by_one::<Q, _>(port, next..end, &mut Uncounted);
                 }
             } else if next < end {
-                run_in_own_frame(lanes, Apart::<Q> { view, port: &mut *port, first: next, end });
+                run_in_own_frame(Apart::<Q> { view, port: &mut *port, first: next, end });
             }
             next = end;
         }
@@ -127,16 +126,19 @@ impl<Q: Query> AnyKernel for Run<'_, '_, Q> {
     }
 }
 
-/// Not inlined, so that rays apart do not need the memory of those together as well.
+/// Not inlined, so that rays of one kind do not need the memory of those of another as well.
 #[inline(never)]
-fn run_in_own_frame<L: Lanes, K: Kernel<L>>(lanes: L, kernel: K) -> K::Out {
-    lanes.run(kernel)
+fn run_in_own_frame<K: AnyKernel>(kernel: K) -> K::Out {
+    dispatch(kernel)
 }
 
-impl<Q: Query, L: Lanes> Kernel<L> for Apart<'_, '_, Q> {
+impl<Q: Query> AnyKernel for Apart<'_, '_, Q> {
     type Out = ();
+    // With AVX-512 it would be a tenth quicker, and a fiftieth of the library, for what no scene
+    // with a tree has to do.
+    const BEST: Isa = Isa::Avx2;
     #[inline(always)]
-    fn run(self, lanes: L) {
+    fn run_on<L: Lanes>(self, lanes: L) {
         let Self { view, port, first, end } = self;
         let depth = (view.header().levels as usize).saturating_sub(1);
         let nowhere = Ray::new([0.0; 3], [0.0, 0.0, 1.0]);
@@ -166,6 +168,12 @@ impl<Q: Query, L: Lanes> Kernel<L> for Apart<'_, '_, Q> {
         }
         .run(FRAMES / depth.max(1));
     }
+
+    // As of streams themselves.
+    #[cfg(any(target_arch = "x86_64", all(target_arch = "aarch64", target_feature = "neon")))]
+    fn run_portable(self) {
+        self.view.one_by_one::<Q, _>(self.port, self.first..self.end, &mut Uncounted);
+    }
 }
 
 /// Rays and answers in slices.
@@ -188,10 +196,11 @@ impl View<'_> {
     /// The closest hits of rays, one each: those of [`View::intersect`], bit for bit. Where 64
     /// rays in a row come from one point and go much the same way, as tiles of 8 by 8 pixels
     /// of a camera do, they go together, and take a third of the time of single rays, or less.
-    /// Others take 0.8 to 1 of that time in a scene with a tree of boxes
-    /// ([`Options::tree`](crate::Options::tree)); in one without, some dozens or more take about
-    /// half of it. If there are more rays than hits, or the reverse, the rest is left alone. Takes
-    /// up to 48 kB of stack.
+    /// 256 or more others in a scene with a tree of boxes
+    /// ([`Options::tree`](crate::Options::tree)) go down that together and take 0.7 to 1 of that
+    /// time; in one without, some dozens or more take about half of it. If there are more rays
+    /// than hits, or the reverse, the rest is left alone. Takes up to 48 kB of stack, of 256 rays
+    /// or more 256 kB.
     pub fn intersect_n(&self, rays: &[Ray], hits: &mut [Hit]) {
         let n = rays.len().min(hits.len());
         self.intersect_port(&mut Slices { rays, answers: hits }, n, &mut Uncounted);
@@ -265,7 +274,7 @@ impl View<'_> {
 
     /// Not inlined, as several kinds of streams come to it.
     #[inline(never)]
-    fn one_by_one<Q: Query, C: Count>(
+    pub(super) fn one_by_one<Q: Query, C: Count>(
         &self,
         port: &mut dyn Port<Q::Out>,
         rays: Range<usize>,
