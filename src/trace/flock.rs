@@ -1,12 +1,12 @@
 //! Rays of a stream down the tree of boxes, a flock of them at a time.
 //!
 //! A ray alone waits: for memory, for its own last result, and after each branch that was not
-//! foreseen; and what it reads of a node or a triangle serves it alone. Here rays that descend along the same
-//! axes go down together (ray streams: Tsakok 2009, *Faster incoherent rays: multi-BVH ray
-//! stream tracing*; Fuetterer et al. 2015, *Efficient ray tracing kernels for modern CPU
-//! architectures*): each part of a node has a list of the rays that meet it (`lists`), lanes are
-//! rays where boxes and triangles are met (`boxes`, `leaf`), and of the parts of a node that
-//! which a ray in the middle of the list comes to first is next. A list that has become short would
+//! foreseen; and what it reads of a node or a triangle serves it alone. Here rays that descend
+//! along the same axes go down together (ray streams: Tsakok 2009, *Faster incoherent rays:
+//! multi-BVH ray stream tracing*; Fuetterer et al. 2015, *Efficient ray tracing kernels for modern
+//! CPU architectures*): each part of a node has a list of the rays that meet it (`lists`), lanes
+//! are rays where boxes and triangles are met (`boxes`, `leaf`), and the part that a ray in the
+//! middle of the list comes to first is next. A list that has become short would
 //! leave lanes idle, and each of its steps waits for the one before: its rays go on by
 //! themselves, sixteen at a time, each in the order of its own (`tail`, `flight`). Exact tests are
 //! made four at a time, a ray and a triangle each (`four`).
@@ -86,7 +86,7 @@ struct Flocking<'a, 'p, 'f, Q: Query, L: Lanes> {
 
 impl<Q: Query> AnyKernel for Flock<'_, '_, Q> {
     type Out = ();
-    // For any hit sixteen lanes bring hardly anything, and a kernel is a fiftieth of the library.
+    // One for any hit with AVX-512 as well would be a fiftieth of the library.
     const BEST: Isa = if Q::ANY { Isa::Avx2 } else { Isa::Avx512 };
     #[inline(always)]
     fn run_on<L: Lanes>(self, l: L) {

@@ -42,21 +42,8 @@ macro_rules! eight_lanes {
         }
         #[inline(always)]
         fn columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [__m256; 3] {
-            with!({
-                let r04 = _mm256_loadu2_m128(row(4).as_ptr(), row(0).as_ptr());
-                let r15 = _mm256_loadu2_m128(row(5).as_ptr(), row(1).as_ptr());
-                let r26 = _mm256_loadu2_m128(row(6).as_ptr(), row(2).as_ptr());
-                let r37 = _mm256_loadu2_m128(row(7).as_ptr(), row(3).as_ptr());
-                let low01 = _mm256_unpacklo_ps(r04, r15);
-                let low23 = _mm256_unpacklo_ps(r26, r37);
-                let high01 = _mm256_unpackhi_ps(r04, r15);
-                let high23 = _mm256_unpackhi_ps(r26, r37);
-                [
-                    _mm256_shuffle_ps::<0b01_00_01_00>(low01, low23),
-                    _mm256_shuffle_ps::<0b11_10_11_10>(low01, low23),
-                    _mm256_shuffle_ps::<0b01_00_01_00>(high01, high23),
-                ]
-            })
+            let [a, b, c, _] = self.four_columns(row);
+            [a, b, c]
         }
         #[inline(always)]
         fn four_columns<'a>(self, row: impl Fn(usize) -> &'a [f32; 4]) -> [__m256; 4] {

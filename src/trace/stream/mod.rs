@@ -134,8 +134,7 @@ fn run_in_own_frame<K: AnyKernel>(kernel: K) -> K::Out {
 
 impl<Q: Query> AnyKernel for Apart<'_, '_, Q> {
     type Out = ();
-    // With AVX-512 it would be a tenth quicker, and a fiftieth of the library, for what no scene
-    // with a tree has to do.
+    // With AVX-512 as well it would be a fiftieth of the library, for what no stream in a tree needs.
     const BEST: Isa = Isa::Avx2;
     #[inline(always)]
     fn run_on<L: Lanes>(self, lanes: L) {
