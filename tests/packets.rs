@@ -182,7 +182,7 @@ fn little_stack_suffices() {
             let mut hits = vec![Hit::miss(7.0); rays.len()];
             // Every other one the other way, so that they are no packets.
             let back = |i: usize, ray: &Ray| Ray {
-                dir: ray.dir.map(|x| if i % 2 == 0 { x } else { -x }),
+                dir: ray.dir.map(|x| if i.is_multiple_of(2) { x } else { -x }),
                 ..*ray
             };
             let many: Vec<Ray> = rays.iter().enumerate().map(|(i, ray)| back(i, ray)).collect();
