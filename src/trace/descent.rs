@@ -91,6 +91,33 @@ pub(super) fn start<L: Lanes>(l: L, view: &View, ray: &Ray) -> Option<Start<L>> 
     suits.then_some(Start { way, dir, speed })
 }
 
+/// Whether one of these triangles is all that a query for any hit wants.
+#[inline(always)]
+pub(super) fn hidden<Q: Query, L: Lanes>(
+    l: L,
+    sections: &Sections<'_>,
+    sieve: &Sieve<'_>,
+    ray: &Ray,
+    occluders: &[u32],
+    query: &mut Q,
+) -> bool {
+    for few in occluders.chunks(L::WIDE) {
+        let (mut left, sieved) = sieve.few(l, few);
+        let triangle = |i: usize| sections.triangle(few[i]);
+        if sieve.hits(l, ray, &sieved, left, triangle) {
+            return query.take_any();
+        }
+        while left != 0 {
+            let number = few[left.trailing_zeros() as usize];
+            if decide(l, query, ray, sections.triangle(number), number) == Some(true) {
+                return true;
+            }
+            left &= left - 1;
+        }
+    }
+    false
+}
+
 impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
     /// That of a ray in a scene with a tree, if it is not to walk: [`start`].
     #[inline(always)]
@@ -114,8 +141,11 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
     /// not to be.
     #[inline(always)]
     pub fn run(&mut self, start: &Start<L>, occluders: &[u32], query: &mut Q) {
-        if Q::ANY && self.hidden(occluders, query) {
-            return;
+        if Q::ANY && !occluders.is_empty() {
+            let (l, sections, ray) = (self.lanes, self.sections, self.ray);
+            if hidden(l, &sections, self.sieve(), ray, occluders, query) {
+                return;
+            }
         }
         let line = Line::<N>::new(self.lanes, &self.sections, start, self.ray, self.unit);
         let slabs = Slabs::new(self.lanes, &line);
@@ -137,27 +167,6 @@ impl<'a, Q: Query, N: Boxes, L: Lanes> Descent<'a, Q, N, L> {
             let Some(next) = self.next(&mut waiting) else { return };
             part = next;
         }
-    }
-
-    /// Whether one of these triangles is all that the query wants.
-    #[inline(always)]
-    fn hidden(&mut self, occluders: &[u32], query: &mut Q) -> bool {
-        let l = self.lanes;
-        for few in occluders.chunks(L::WIDE) {
-            let (mut left, sieved) = self.sieve().few(l, few);
-            let (sections, ray) = (self.sections, self.ray);
-            let triangle = |i: usize| sections.triangle(few[i]);
-            if self.sieve().hits(l, ray, &sieved, left, triangle) {
-                return query.take_any();
-            }
-            while left != 0 {
-                if self.decide(few[left.trailing_zeros() as usize], query) {
-                    return true;
-                }
-                left &= left - 1;
-            }
-        }
-        false
     }
 
     /// The nearest of the parts that were met, after which the others wait; without any, the

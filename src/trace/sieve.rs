@@ -51,10 +51,10 @@ pub(super) use sieved::Sieved;
 pub(super) const FARTHEST: f32 = 1e12;
 
 /// 2^-100.
-const TINY: f32 = 1.0 / (1u128 << 100) as f32;
+pub(super) const TINY: f32 = 1.0 / (1u128 << 100) as f32;
 
 /// e of the bounds.
-const E: f32 = f32::EPSILON / 2.0;
+pub(super) const E: f32 = f32::EPSILON / 2.0;
 
 /// A ray made ready for sieving triangles.
 #[derive(Clone, Copy)]

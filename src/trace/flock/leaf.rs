@@ -14,17 +14,13 @@
 //! is added to the size of the one end, of which 8 e are 2^-121, and the other has been moved by
 //! more (`descent`). An end that is infinite leaves no ray out.
 
+use super::super::packet::largest;
 use super::super::query::Query;
+use super::super::sieve::{E, TINY};
 use super::boxes::eight;
 use super::{Flocking, RAYS};
 use crate::arena::node::{LEAF, LEAF_SHIFT, NODE};
 use crate::simd::Lanes;
-
-/// e of the bounds.
-const E: f32 = f32::EPSILON / 2.0;
-
-/// 2^-100.
-const TINY: f32 = 1.0 / (1u128 << 100) as f32;
 
 /// Triangles of a leaf, a column each: first corner, edges from there, normal, and the bounds of
 /// errors but for what depends on the ray: of all weights together, what is multiplied with the
@@ -177,10 +173,4 @@ fn cross<L: Lanes>(l: L, a: [L::Wide; 3], b: [L::Wide; 3]) -> [L::Wide; 3] {
 #[inline(always)]
 fn dot<L: Lanes>(l: L, a: [L::Wide; 3], b: [L::Wide; 3]) -> L::Wide {
     l.mul_add_wide(a[0], b[0], l.mul_add_wide(a[1], b[1], l.mul_wide(a[2], b[2])))
-}
-
-/// The largest size of a component.
-#[inline(always)]
-fn largest<L: Lanes>(l: L, a: [L::Wide; 3]) -> L::Wide {
-    l.max_wide(l.max_wide(l.abs_wide(a[0]), l.abs_wide(a[1])), l.abs_wide(a[2]))
 }

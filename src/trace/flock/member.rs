@@ -1,7 +1,7 @@
 //! What a ray of a flock keeps to itself.
 
-use super::super::descent::{Line, Start, beyond, start};
-use super::super::query::{Query, decide};
+use super::super::descent::{Line, Start, beyond, hidden, start};
+use super::super::query::Query;
 use super::super::sieve::Sieve;
 use crate::arena::node::Node;
 use crate::arena::{Sections, View};
@@ -58,31 +58,11 @@ impl<'a, Q: Query> Member<'a, Q> {
         self.sieve = Sieve::new(l, sections, ray, [l.load_f32(org), l.load_f32(dir)], true);
         self.query = Q::new(ray);
         (self.index, self.lost) = (index, false);
-        if Q::ANY && self.hidden(l, sections, view.header().occluders()) {
+        let occluders = view.header().occluders();
+        if Q::ANY && hidden(l, sections, &self.sieve, &self.ray, occluders, &mut self.query) {
             return Some(f32::NEG_INFINITY);
         }
         Some(end(l, self.ray.tmax, unit))
-    }
-
-    /// Whether one of these triangles is all that the query wants.
-    #[inline(always)]
-    fn hidden<L: Lanes>(&mut self, l: L, sections: &Sections<'a>, occluders: &[u32]) -> bool {
-        for few in occluders.chunks(L::WIDE) {
-            let (mut left, sieved) = self.sieve.few(l, few);
-            let triangle = |i: usize| sections.triangle(few[i]);
-            if self.sieve.hits(l, &self.ray, &sieved, left, triangle) {
-                return self.query.take_any();
-            }
-            while left != 0 {
-                let number = few[left.trailing_zeros() as usize];
-                let triangle = sections.triangle(number);
-                if decide(l, &mut self.query, &self.ray, triangle, number) == Some(true) {
-                    return true;
-                }
-                left &= left - 1;
-            }
-        }
-        false
     }
 
     /// Looks no farther than what was found: no tau above that is of interest.

@@ -325,6 +325,6 @@ fn highest<L: Lanes>(l: L, [a, b, c]: [L::Wide; 3]) -> L::Wide {
 
 /// The largest size of a coordinate.
 #[inline(always)]
-fn largest<L: Lanes>(l: L, [a, b, c]: [L::Wide; 3]) -> L::Wide {
+pub(in crate::trace) fn largest<L: Lanes>(l: L, [a, b, c]: [L::Wide; 3]) -> L::Wide {
     highest(l, [l.abs_wide(a), l.abs_wide(b), l.abs_wide(c)])
 }

@@ -30,6 +30,7 @@ use crate::arena::{Sections, View};
 use crate::ray::{NONE, Ray};
 use crate::simd::Lanes;
 use meet::Due;
+pub(super) use meet::largest;
 pub(super) use together::{Together, suits};
 
 /// Rays in a packet.
